@@ -1,0 +1,37 @@
+/** A texture array of RGBA32F texels, as `layout.ts` describes its layers. */
+export interface TexelArray {
+  /** Power of two. */
+  readonly width: number;
+  readonly height: number;
+  readonly layers: number;
+  /** layers * height * width * 4 floats, layer by layer, row by row. */
+  readonly data: Float32Array;
+}
+
+/** A range of the draw order. */
+export interface DrawRange {
+  readonly start: number;
+  readonly count: number;
+}
+
+/** All that the GPU needs of a tree. Plain arrays: a worker hands it over without copying. */
+export interface PackedTree {
+  readonly pieceCount: number;
+  readonly leafCount: number;
+  /** First piece of each depth; the last entry is the number of pieces. */
+  readonly depthStart: Uint32Array;
+  /** Layers of PIECE_LAYERS. */
+  readonly pieces: TexelArray;
+  /** Rest pose, layers of POSE_TARGETS, same width and height as `pieces`. */
+  readonly restPose: TexelArray;
+  /** Layers of BRANCH_LAYERS. */
+  readonly branches: TexelArray;
+  /** Layers of LEAF_LAYERS. */
+  readonly leaves: TexelArray;
+  /** Part of the branch order that each level holds. */
+  readonly levels: readonly DrawRange[];
+  /** Box around the tree at rest: min x, y, z, max x, y, z in metres, z-up. */
+  readonly bounds: Float32Array;
+  /** Centroid of the leaves (or of the pieces where there are none) and radii of the crown about it, for shading. */
+  readonly crown: Float32Array;
+}
