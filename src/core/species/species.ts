@@ -35,6 +35,8 @@ export interface TreeParameters {
   readonly lobeDepth: number;
   readonly flare: number;
   readonly attractionUp: number;
+  /** Radius of the disc in which several trunks stand, as a fraction of the tree's scale (row 52). */
+  readonly disc: number;
   /** Bulges along every stem: how many, and their depth as a fraction of the radius (Skjermo 2006, equation 4). */
   readonly bulges: number;
   readonly bulgeDepth: number;
@@ -56,6 +58,7 @@ export interface LevelParameters {
   readonly curveBack: number;
   readonly curveV: number;
   readonly curveSideV: number;
+  /** Turns a segment of a helix (curveV < 0). */
   readonly helixTurns: number;
   readonly downAngle: number;
   readonly downAngleV: number;
@@ -74,6 +77,11 @@ export interface LeafParameters {
   readonly petiole: number;
   readonly bend: number;
   readonly quality: number;
+  /** Angles of the leaves alone, in degrees; each one that is absent is that of level `levels`, at most 3 (row 42). */
+  readonly downAngle?: number;
+  readonly downAngleV?: number;
+  readonly rotate?: number;
+  readonly rotateV?: number;
 }
 
 export interface PruningParameters {
@@ -111,6 +119,8 @@ export interface BarkLook {
 }
 
 export interface FoliageLook {
+  /** Outline that is drawn in place of `leaves.shape`, same ids; absent: `leaves.shape`. */
+  readonly outline?: number;
   /** sRGB, '#rrggbb': upper face, lower face, and light that comes through. */
   readonly colour: string;
   readonly under: string;
