@@ -1,7 +1,7 @@
 /** One wave of the wind (Skjermo 2007, equation 11, corrected). */
 export interface Wave {
   on: boolean;
-  /** Lateral displacement in metres that the crest gives to a control point at right angles to it; >= 0. */
+  /** Displacement in metres that the crest gives to the tip edge of a stem of 3 m and stiffness 1 at right angles to it; >= 0. */
   amplitude: number;
   /** Direction towards which it travels and pushes, radians from x to y in tree space. */
   direction: number;
@@ -29,7 +29,10 @@ export interface Wind {
   pose: 'exact' | 'lagged';
   /** Exponent p of the force (equation 16 prints 1.8; 1 is dimensionally sound). */
   forceExponent: number;
-  /** Exponent m of the length that divides the force (equations.md 5.3): 2 is the literal paper, 1 the default. */
+  /**
+   * Exponent m of the length (a third of the stem's, metres) that divides the force (equations.md 5.3): 2 is the literal paper, 1 makes
+   * amplitudes displacements, 0.6 is a cantilever's and the presets'.
+   */
   lengthExponent: number;
   /** The printed forms that make sense, for teaching: waves that travel upwind, no length kept, projected frames. */
   paper: boolean;

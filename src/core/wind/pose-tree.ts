@@ -1,0 +1,254 @@
+import type { Cubic } from '../math/bezier.ts';
+import { across, type Handles, handlesOf } from '../math/frames.ts';
+import { angleOfChord } from '../math/trig.ts';
+import { PIECE_LAYERS, POSE_TARGETS } from '../pack/layout.ts';
+import { bendVector } from './bend.ts';
+import { windForce } from './force.ts';
+import { type PiecesToPose, planeOf, poseOf, poseTreePlainly, type WindToPose } from './pose-plainly.ts';
+
+/**
+ * The pose of every piece of a tree in a wind, laid out as `restPose`: what the wind pass computes, on the CPU.
+ *
+ * `exact` poses parents before their children. `lagged` takes every parent from `previous`, the pose of the last step (the rest
+ * pose by default), as the paper does; `out` must then be another array. Numbers are written out so that nothing is
+ * allocated for a piece; a test holds it to `poseTreePlainly`. Source: Skjermo 2007, 4.2 and equation 17.
+ */
+export function poseTree(
+  tree: PiecesToPose,
+  wind: WindToPose,
+  mode: 'exact' | 'lagged',
+  previous: Float32Array = tree.restPose.data,
+  out: Float32Array = new Float32Array(tree.restPose.data.length),
+): Float32Array {
+  // The printed forms are for teaching: no second fast version of them.
+  if (wind.paper) return poseTreePlainly(tree, wind, mode, previous, out);
+  const { data } = tree.pieces;
+  const plane = planeOf(tree.pieces);
+  const posePlane = planeOf(tree.restPose);
+  const attach = PIECE_LAYERS.ATTACH * plane;
+  const parents = mode === 'lagged' ? previous : out;
+  const section = new Float64Array(12);
+  let lastParent = -2;
+  let curve: Cubic | undefined;
+  let handles: Handles | undefined;
+  for (let i = 0; i < tree.pieceCount; i++) {
+    const parent = data[attach + 4 * i];
+    // Siblings are neighbours: the parent's handles serve them all.
+    if (parent >= 0 && parent !== lastParent) {
+      const pose = poseOf(parents, posePlane, parent);
+      curve = pose.curve;
+      handles = handlesOf(curve, pose.o);
+      lastParent = parent;
+    }
+    if (parent < 0 || curve === undefined || handles === undefined) rootSection(previous, 4 * i, section);
+    else sectionAt(curve, handles, data[attach + 4 * i + 1], section);
+    posePiece(data, plane, 4 * i, section, wind, out, posePlane);
+  }
+  return out;
+}
+
+/** Where a root stands, with the axes of tree space. */
+function rootSection(pose: Float32Array, at: number, out: Float64Array): void {
+  out.fill(0);
+  out[0] = pose[at];
+  out[1] = pose[at + 1];
+  out[2] = pose[at + 2];
+  out[3] = out[7] = out[11] = 1;
+}
+
+/** C(v), U, T^, S^ of a curve, as `sectionFrame` gives them: 12 numbers. */
+function sectionAt({ p0, p1, p2, p3 }: Cubic, h: Handles, v: number, out: Float64Array): void {
+  const u = 1 - v;
+  const [b0, b1, b2, b3] = [u * u * u, 3 * u * u * v, 3 * u * v * v, v * v * v];
+  const [q0, q1, q2] = [u * u, 2 * u * v, v * v];
+  let dd = 0;
+  let chord = 0;
+  for (let k = 0; k < 3; k++) {
+    out[k] = b0 * p0[k] + b1 * p1[k] + b2 * p2[k] + b3 * p3[k];
+    const d = 3 * (q0 * (p1[k] - p0[k]) + q1 * (p2[k] - p1[k]) + q2 * (p3[k] - p2[k]));
+    out[3 + k] = d;
+    dd += d * d;
+    chord += (p3[k] - p0[k]) * (p3[k] - p0[k]);
+    out[6 + k] = q0 * h.t0[k] + q1 * h.t1[k] + q2 * h.t2[k];
+  }
+  if (!(dd > 1e-12 * chord) || dd < 1e-24) {
+    // The tangent vanishes: the chord stands in, and for a point the first edge.
+    for (let k = 0; k < 3; k++) out[3 + k] = chord < 1e-24 ? h.l0[k] : p3[k] - p0[k];
+    dd = chord < 1e-24 ? 1 : chord;
+  }
+  const s = 1 / Math.sqrt(dd);
+  const ux = out[3] * s;
+  const uy = out[4] * s;
+  const uz = out[5] * s;
+  const along = ux * out[6] + uy * out[7] + uz * out[8];
+  const tx = out[6] - along * ux;
+  const ty = out[7] - along * uy;
+  const tz = out[8] - along * uz;
+  const tt = tx * tx + ty * ty + tz * tz;
+  const steady = tt > 1e-6 * (tt + along * along);
+  const r = 1 / Math.sqrt(tt);
+  const t = steady ? undefined : across([ux, uy, uz], [out[6], out[7], out[8]]);
+  out[3] = ux;
+  out[4] = uy;
+  out[5] = uz;
+  out[6] = t ? t[0] : tx * r;
+  out[7] = t ? t[1] : ty * r;
+  out[8] = t ? t[2] : tz * r;
+  out[9] = uy * out[8] - uz * out[7];
+  out[10] = uz * out[6] - ux * out[8];
+  out[11] = ux * out[7] - uy * out[6];
+}
+
+/** Attaches the piece whose texels start at `at` to a section, bends it and writes its pose. */
+function posePiece(
+  data: Float32Array,
+  plane: number,
+  at: number,
+  section: Float64Array,
+  wind: WindToPose,
+  out: Float32Array,
+  posePlane: number,
+): void {
+  const attach = PIECE_LAYERS.ATTACH * plane + at;
+  const orient = PIECE_LAYERS.ORIENT * plane + at;
+  const handle = PIECE_LAYERS.HANDLE * plane + at;
+  const end = PIECE_LAYERS.END * plane + at;
+  const tip = PIECE_LAYERS.TIP * plane + at;
+  // Base frame in tree space: the section times the rotation of the quaternion.
+  const x = data[orient];
+  const y = data[orient + 1];
+  const z = data[orient + 2];
+  const w = data[orient + 3];
+  const [m00, m01, m02] = [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)];
+  const [m10, m11, m12] = [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)];
+  const [m20, m21, m22] = [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
+  const cx = section[0];
+  const cy = section[1];
+  const cz = section[2];
+  const ux = section[3];
+  const uy = section[4];
+  const uz = section[5];
+  const tx = section[6];
+  const ty = section[7];
+  const tz = section[8];
+  const sx = section[9];
+  const sy = section[10];
+  const sz = section[11];
+  const lx = ux * m00 + tx * m01 + sx * m02;
+  const ly = uy * m00 + ty * m01 + sy * m02;
+  const lz = uz * m00 + tz * m01 + sz * m02;
+  const ox = ux * m10 + tx * m11 + sx * m12;
+  const oy = uy * m10 + ty * m11 + sy * m12;
+  const oz = uz * m10 + tz * m11 + sz * m12;
+  const nx = ux * m20 + tx * m21 + sx * m22;
+  const ny = uy * m20 + ty * m21 + sy * m22;
+  const nz = uz * m20 + tz * m21 + sz * m22;
+  // Edges in tree space, from the control points in the base frame.
+  const p1 = data[handle + 3];
+  let [ex, ey, ez] = [data[handle] - p1, data[handle + 1], data[handle + 2]];
+  const e2x = lx * ex + ox * ey + nx * ez;
+  const e2y = ly * ex + oy * ey + ny * ez;
+  const e2z = lz * ex + oz * ey + nz * ez;
+  [ex, ey, ez] = [data[end] - data[handle], data[end + 1] - data[handle + 1], data[end + 2] - data[handle + 2]];
+  const e3x = lx * ex + ox * ey + nx * ez;
+  const e3y = ly * ex + oy * ey + ny * ez;
+  const e3z = lz * ex + oz * ey + nz * ez;
+  // Bend: turn both edges, keep their lengths (equation 17).
+  const force = windForce(wind, data[tip], data[tip + 1]);
+  const beta = bendVector(force[0], force[1], data[tip + 3], wind.forceExponent, wind.lengthExponent);
+  const l2 = Math.sqrt(e2x * e2x + e2y * e2y + e2z * e2z);
+  const l3 = Math.sqrt(e3x * e3x + e3y * e3y + e3z * e3z);
+  const w2 = data[attach + 2] * l2;
+  const w3 = data[attach + 3] * l3;
+  let fx = e2x + w2 * beta[0];
+  let fy = e2y + w2 * beta[1];
+  let fz = e2z;
+  let n = Math.sqrt(fx * fx + fy * fy + fz * fz);
+  const k2 = n > 1e-6 * l2 ? l2 / n : 0;
+  const bx = k2 > 0 ? fx * k2 : e2x;
+  const by = k2 > 0 ? fy * k2 : e2y;
+  const bz = k2 > 0 ? fz * k2 : e2z;
+  fx = e3x + w3 * beta[0];
+  fy = e3y + w3 * beta[1];
+  fz = e3z;
+  n = Math.sqrt(fx * fx + fy * fy + fz * fz);
+  const k3 = n > 1e-6 * l3 ? l3 / n : 0;
+  const dx = k3 > 0 ? fx * k3 : e3x;
+  const dy = k3 > 0 ? fy * k3 : e3y;
+  const dz = k3 > 0 ? fz * k3 : e3z;
+  const chord = l3 > 0 ? Math.sqrt((dx - e3x) ** 2 + (dy - e3y) ** 2 + (dz - e3z) ** 2) / l3 : 0;
+  // Arc length at rest (equations.md 3.4).
+  const arc = arcOfEdges(lx * p1, ly * p1, lz * p1, bx, by, bz, dx, dy, dz);
+  const s = arc > 0 ? data[end + 3] / arc : 1;
+  const q1x = lx * p1 * s;
+  const q1y = ly * p1 * s;
+  const q1z = lz * p1 * s;
+  const q2x = q1x + bx * s;
+  const q2y = q1y + by * s;
+  const q2z = q1z + bz * s;
+  let o = POSE_TARGETS.P0 * posePlane + at;
+  out[o] = cx;
+  out[o + 1] = cy;
+  out[o + 2] = cz;
+  out[o + 3] = ox;
+  o = POSE_TARGETS.P1 * posePlane + at;
+  out[o] = cx + q1x;
+  out[o + 1] = cy + q1y;
+  out[o + 2] = cz + q1z;
+  out[o + 3] = oy;
+  o = POSE_TARGETS.P2 * posePlane + at;
+  out[o] = cx + q2x;
+  out[o + 1] = cy + q2y;
+  out[o + 2] = cz + q2z;
+  out[o + 3] = oz;
+  o = POSE_TARGETS.P3 * posePlane + at;
+  out[o] = cx + q2x + dx * s;
+  out[o + 1] = cy + q2y + dy * s;
+  out[o + 2] = cz + q2z + dz * s;
+  out[o + 3] = angleOfChord(chord);
+}
+
+/** Abscissae and weights of the 5-point Gauss-Legendre rule on 0..1, and the quadratic Bernstein weights there. */
+const GAUSS: readonly (readonly [number, number])[] = [
+  [0.5, 0.2844444444444444],
+  [0.2307653449471585, 0.23931433524968324],
+  [0.7692346550528415, 0.23931433524968324],
+  [0.046910077030668, 0.11846344252809454],
+  [0.953089922969332, 0.11846344252809454],
+];
+const RULE = new Float64Array(GAUSS.flatMap(([u, weight]) => [3 * weight, (1 - u) ** 2, 2 * u * (1 - u), u * u]));
+
+/** Arc length of the cubic with these three edges: `bezierArcLength`. */
+function arcOfEdges(
+  ax: number,
+  ay: number,
+  az: number,
+  bx: number,
+  by: number,
+  bz: number,
+  cx: number,
+  cy: number,
+  cz: number,
+): number {
+  let sum = 0;
+  for (let i = 0; i < RULE.length; i += 4) {
+    const a = RULE[i + 1];
+    const b = RULE[i + 2];
+    const c = RULE[i + 3];
+    const x = a * ax + b * bx + c * cx;
+    const y = a * ay + b * by + c * cy;
+    const z = a * az + b * bz + c * cz;
+    sum += RULE[i] * Math.sqrt(x * x + y * y + z * z);
+  }
+  return sum;
+}
+
+export {
+  type PiecesToPose,
+  planeOf,
+  poseOf,
+  poseTreePlainly,
+  restPieceOf,
+  type WindToPose,
+  writePose,
+} from './pose-plainly.ts';
