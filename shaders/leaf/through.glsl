@@ -1,0 +1,18 @@
+// Light through a leaf: most where the sun stands on its other side, and more when one looks towards the sun.
+// Wraps the material's own answer to a light, so shadows dim it as well.
+void RE_Direct_Leaf(
+  const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal,
+  const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material,
+  inout ReflectedLight reflectedLight
+) {
+  RE_Direct_Physical(
+    directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight
+  );
+  float behind = saturate(-dot(geometryNormal, directLight.direction));
+  float towards = saturate(-dot(geometryViewDir, directLight.direction));
+  towards *= towards;
+  float through = 0.42 * behind + 0.5 * towards * towards * (0.35 + 0.65 * behind);
+  reflectedLight.directDiffuse += directLight.color * leafThrough * (through * vLeaf.y * RECIPROCAL_PI);
+}
+#undef RE_Direct
+#define RE_Direct RE_Direct_Leaf

@@ -1,0 +1,67 @@
+// Places one leaf on its piece and lets it tremble. Read by the standard, depth and distance materials alike.
+// position, normal: the unit leaf. blade: distance from the midrib | along the blade | copy within the bundle | petiole.
+#include /branch/read-pose.glsl
+#include /lib/frames.glsl
+#include /lib/hash.glsl
+#include /lib/quaternion.glsl
+#include /lib/trig.glsl
+
+in vec4 blade;
+
+uniform highp sampler2DArray leaves;
+uniform int leafLog2Width;
+// Leaves to draw, copies an instance.
+uniform ivec2 leafRange;
+// Factors on width and length that make up for leaves that are left out.
+uniform vec2 leafGrow;
+// Widest angle in radians | time in sixteenths of a beat, wrapped to 0..1
+uniform vec2 leafFlutter;
+
+struct LeafVertex {
+  vec3 position;
+  vec3 normal;
+  // Hash of the leaf, 0..1: colour.
+  float own;
+};
+
+// Turns a about the axis k (0 x, 1 z), angle in turns.
+vec3 turnAboutX(vec3 a, float turns) {
+  float c = cosTurns(turns);
+  float s = sinTurns(turns);
+  return vec3(a.x, c * a.y - s * a.z, s * a.y + c * a.z);
+}
+
+vec3 turnAboutZ(vec3 a, float turns) {
+  float c = cosTurns(turns);
+  float s = sinTurns(turns);
+  return vec3(c * a.x - s * a.y, s * a.x + c * a.y, a.z);
+}
+
+LeafVertex leafVertex() {
+  int place = gl_InstanceID * leafRange.y + int(blade.z);
+  if (place >= leafRange.x) return LeafVertex(vec3(0.0), vec3(0.0, 0.0, 1.0), 0.0);
+  ivec2 texel = texelOf(place, leafLog2Width);
+  vec4 at = texelFetch(leaves, ivec3(texel, LEAF_PLACE), 0);
+  vec4 turn = texelFetch(leaves, ivec3(texel, LEAF_ORIENT), 0);
+  Pose pose = readPose(int(at.x), at.w >= 1.0);
+  float phase = fract(at.w);
+  float own = hashUnit(hashPcg(uint(phase * 16777216.0)));
+  mat3 frame = sectionFrame(pose.curve, handlesOf(pose.curve, pose.across), at.y);
+  vec3 p = position * vec3(leafGrow.x, leafGrow.y, leafGrow.y);
+  vec3 n = normal;
+  // The bend of the branch tells how hard it blows here. Each leaf beats whole multiples of a sixteenth of the common rate,
+  // so that time may wrap without a jump and no two neighbours stay in step.
+  float beat = floor(11.0 + 11.0 * own);
+  float force = clamp(pose.bend * 2.2, 0.0, 1.0);
+  float swing = leafFlutter.x * force * 0.1591549;
+  float shake = sinTurns(beat * leafFlutter.y + phase) + 0.5 * sinTurns((beat + 6.0) * leafFlutter.y + 2.0 * phase);
+  float nod = sinTurns((beat - 4.0) * leafFlutter.y + 3.0 * phase) - 0.4;
+  float twist = swing * 0.75 * shake;
+  float pitch = swing * 0.4 * nod;
+  p = turnAboutX(turnAboutZ(p, twist), pitch);
+  n = turnAboutX(turnAboutZ(n, twist), pitch);
+  vec3 centre = bezierPoint(pose.curve, at.y);
+  return LeafVertex(
+    centre + frame * rotateByQuaternion(turn, p * at.z), frame * rotateByQuaternion(turn, n), own
+  );
+}

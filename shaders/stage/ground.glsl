@@ -1,0 +1,34 @@
+// Grass and earth around a tree, fading into the sky. Fragment part of a Lambert material.
+in vec3 vGround;
+
+uniform sampler2D grassMap;
+uniform vec3 grassLight;
+uniform vec3 grassDark;
+uniform vec3 earth;
+uniform vec3 groundHaze;
+// Where the ground begins and ends to fade, radius of the trunk's foot, radius of the crown above it; metres.
+uniform vec4 groundReach;
+
+vec3 groundDiffuse() {
+  vec2 p = vGround.xz;
+  vec4 broad = texture(grassMap, p * 0.061 + 0.37);
+  vec4 fine = texture(grassMap, p * 0.43);
+  float r = length(p);
+  vec3 c = mix(grassDark, grassLight, clamp(0.25 + 0.9 * (fine.r - 0.35) + 0.55 * (broad.g - 0.5), 0.0, 1.0));
+  // Little grows in the shade of the trunk.
+  float bare = smoothstep(groundReach.z * 5.0, groundReach.z * 1.6, r + (broad.r - 0.5) * groundReach.z * 3.0);
+  float patchy = smoothstep(0.62, 0.8, broad.b) * 0.35;
+  return mix(c, earth * (0.7 + 0.6 * fine.g), max(bare * 0.85, patchy));
+}
+
+// Light of the sky that reaches the ground: less under the crown, least where the trunk meets it.
+float groundSky() {
+  float r = length(vGround.xz);
+  float crown = smoothstep(1.25, 0.0, r / groundReach.w);
+  float foot = groundReach.z / max(r, groundReach.z * 0.6);
+  return (1.0 - 0.42 * crown) * (1.0 - 0.6 * foot * foot);
+}
+
+float groundFade() {
+  return smoothstep(groundReach.x, groundReach.y, length(vGround.xz));
+}
