@@ -29,7 +29,7 @@ export const BRANCH_LAYERS = {
 
 /** Read by the leaf shader; index = place in the draw order, any prefix of it spread evenly over the crown. */
 export const LEAF_LAYERS = {
-  /** piece | v | length of the blade in metres | phase in turns */
+  /** piece | v | length of the blade in metres | phase in turns [0, 1), plus 1 where the depth of the piece is odd (which pose set it is read from) */
   PLACE: 0,
   /** rotation of the leaf in the piece's section frame at v: x | y | z | w */
   ORIENT: 1,
