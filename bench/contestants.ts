@@ -1,0 +1,57 @@
+import { Tree } from '@dgreenheck/ez-tree';
+import { Box3, type MeshPhongMaterial, type Object3D, type WebGLRenderer } from 'three';
+import type { Species } from '../src/core/species/species.ts';
+import { DEFAULT_WIND, presets } from '../src/core/wind/presets.ts';
+import { WindTree } from '../src/view/wind-tree.ts';
+import { growInWorker } from '../src/worker/client.ts';
+import { uprightBox } from './upright-box.ts';
+
+/** A tree to draw beside another. */
+export interface Contestant {
+  readonly name: string;
+  readonly object: Object3D;
+  /** Moves it to a time in seconds, as its own program does for each frame. */
+  readonly update: (time: number) => void;
+  /** Box at rest, metres, y up. */
+  readonly box: Box3;
+  /** Leaves that the last frame drew. */
+  readonly leaves: () => number;
+}
+
+/** ez-tree's preset at a height in metres. A leaf is two crossed quads; its wind moves leaves only, branches stand still. */
+export async function ezTree(preset: string, height: number): Promise<Contestant> {
+  const tree = new Tree();
+  // Loads and generates.
+  tree.loadPreset(preset);
+  const own = new Box3().setFromObject(tree);
+  tree.scale.setScalar(height / own.max.y);
+  tree.updateMatrixWorld(true);
+  const { map: bark, normalMap, aoMap } = tree.branchesMesh.material as MeshPhongMaterial;
+  const { map: leaf } = tree.leavesMesh.material as MeshPhongMaterial;
+  // The package starts loading when it is imported and says nothing when it is done: a texture then has its image.
+  while (![bark, normalMap, aoMap, leaf].every((texture) => texture?.image)) await new Promise(requestAnimationFrame);
+  return {
+    name: `ez-tree 1.1.0, ${preset}`,
+    object: tree,
+    update: (time) => tree.update(time),
+    box: new Box3().setFromObject(tree),
+    leaves: () => tree.leavesMesh.geometry.index!.count / 12,
+  };
+}
+
+/** A shipped species of ours, grown in the worker, in its default wind. */
+export async function windgroveTree(name: string, seed: number, renderer: WebGLRenderer): Promise<Contestant> {
+  const species = (await (await fetch(`/species/${name}.json`)).json()) as Species;
+  const { packed } = await growInWorker(species, seed);
+  const tree = new WindTree();
+  tree.setTree(packed, species);
+  tree.setWind(presets[DEFAULT_WIND]!);
+  tree.setShadows(true, true);
+  return {
+    name: `Windgrove, ${species.name}`,
+    object: tree,
+    update: (time) => tree.update(renderer, time),
+    box: uprightBox(packed.bounds),
+    leaves: () => tree.stats().leaves,
+  };
+}

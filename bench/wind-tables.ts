@@ -1,0 +1,35 @@
+import type { Timing } from './interleave.ts';
+import type { BenchReport } from './report.ts';
+
+/** What the page of the wind pass writes; the first timing of a row is the floor. */
+export interface WindTimings {
+  readonly renderer: string;
+  readonly rows: readonly { readonly pieces: number; readonly depths: number; readonly timings: readonly Timing[] }[];
+}
+
+/** The timings of the wind pass as tables: milliseconds, and times of the floor. */
+export function windReport({ renderer, rows }: WindTimings): BenchReport {
+  const names = rows[0]!.timings.map(({ name }) => name);
+  const floor = names[0]!;
+  return {
+    title: 'Wind pass',
+    renderer,
+    tables: [
+      {
+        caption: 'Milliseconds a step, median',
+        columns: ['pieces', 'depths', ...names],
+        rows: rows.map(({ pieces, depths, timings }) => [pieces, depths, ...timings.map((each) => each.median)]),
+      },
+      {
+        caption: `Times of the ${floor}, median of rounds in turn; aim: at most 1.6`,
+        columns: ['pieces', ...names.slice(1)],
+        rows: rows.map(({ pieces, timings }) => [pieces, ...timings.slice(1).map(({ ratio }) => ratio)]),
+      },
+      {
+        caption: 'Microseconds a piece: the cost grows linearly where a column stays level',
+        columns: ['pieces', ...names],
+        rows: rows.map(({ pieces, timings }) => [pieces, ...timings.map((each) => (1000 * each.median) / pieces)]),
+      },
+    ],
+  };
+}

@@ -1,0 +1,45 @@
+import { expect, type Page, test } from '@playwright/test';
+
+/** What a page said that no page should say: errors of its scripts, of its console, of its requests. */
+function complaintsOf(page: Page): string[] {
+  const complaints: string[] = [];
+  page.on('pageerror', (error) => complaints.push(`error: ${error.message}`));
+  page.on('console', (message) => {
+    if (message.type() === 'error') complaints.push(`console: ${message.text()}`);
+  });
+  page.on('requestfailed', (request) => complaints.push(`request: ${request.url()}`));
+  page.on('response', (response) => {
+    if (response.status() >= 400) complaints.push(`status ${response.status()}: ${response.url()}`);
+  });
+  return complaints;
+}
+
+test('the browser has WebGL2 and draws with the software renderer that golden pictures are made with', async ({
+  page,
+}) => {
+  await page.goto('about:blank');
+  const renderer = await page.evaluate(() => {
+    const gl = document.createElement('canvas').getContext('webgl2');
+    const names = gl?.getExtension('WEBGL_debug_renderer_info');
+    return gl && names ? String(gl.getParameter(names.UNMASKED_RENDERER_WEBGL)) : 'none';
+  });
+  expect(renderer).toContain('SwiftShader');
+});
+
+for (const [name, path] of [
+  ['editor', './'],
+  ['cross-check', './crosscheck.html'],
+] as const) {
+  test(`the ${name} loads without complaint and asks no other host for anything`, async ({ page, baseURL }) => {
+    const complaints = complaintsOf(page);
+    const foreign: string[] = [];
+    page.on('request', (request) => {
+      const url = request.url();
+      if (!url.startsWith(baseURL!) && !/^(data|blob):/.test(url)) foreign.push(url);
+    });
+    await page.goto(path, { waitUntil: 'networkidle' });
+    await expect(page).toHaveTitle(/Windgrove/);
+    expect(complaints).toEqual([]);
+    expect(foreign).toEqual([]);
+  });
+}

@@ -1,0 +1,59 @@
+import { createServer } from 'node:net';
+import { defineConfig } from '@playwright/test';
+import { browserArgs, findBrowser } from './e2e/browser.mjs';
+
+/** A port that is free now: a server left by somebody else is never tested by mistake. */
+async function freePort(): Promise<number> {
+  return new Promise((done, fail) => {
+    const server = createServer();
+    server.on('error', fail);
+    server.listen(0, '127.0.0.1', () => {
+      const address = server.address();
+      server.close(() => (address && typeof address === 'object' ? done(address.port) : fail(new Error('no port'))));
+    });
+  });
+}
+
+// Every worker reads this file again: what the first reading found travels to them in the environment.
+process.env.WINDGROVE_BROWSER ??= (await findBrowser()).executablePath;
+const given = process.env.WINDGROVE_URL;
+if (!given) process.env.WINDGROVE_TEST_PORT ??= String(await freePort());
+const port = process.env.WINDGROVE_TEST_PORT;
+
+export default defineConfig({
+  testDir: 'e2e',
+  testMatch: '**/*.spec.ts',
+  outputDir: 'test-results',
+  // Software GL spreads over both cores: a second worker would only make every picture slower.
+  workers: 1,
+  retries: 0,
+  forbidOnly: Boolean(process.env.CI),
+  timeout: 120_000,
+  globalTimeout: 18 * 60_000,
+  expect: { timeout: 30_000 },
+  reporter: 'list',
+  use: {
+    baseURL: given ?? `http://127.0.0.1:${port}/`,
+    browserName: 'chromium',
+    launchOptions: { executablePath: process.env.WINDGROVE_BROWSER, args: browserArgs },
+    viewport: { width: 1024, height: 640 },
+    deviceScaleFactor: 1,
+    locale: 'en-GB',
+    timezoneId: 'UTC',
+    colorScheme: 'light',
+    trace: 'off',
+    screenshot: 'only-on-failure',
+  },
+  // The build that ships is what is tested: `vite preview` serves files and transforms nothing, so pages load fast and no
+  // request waits for a compiler. WINDGROVE_URL tests a server that runs already (`npm start`) while developing.
+  webServer: given
+    ? undefined
+    : {
+        command: `npm run build && npm run preview -- --host 127.0.0.1 --port ${port} --strictPort`,
+        url: `http://127.0.0.1:${port}/`,
+        reuseExistingServer: false,
+        timeout: 180_000,
+        stdout: 'pipe',
+        stderr: 'pipe',
+      },
+});

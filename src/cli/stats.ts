@@ -1,0 +1,69 @@
+import { GrowthBudgetError } from '../core/grow/budget.ts';
+import { grow } from '../core/grow/grow.ts';
+import type { TreeStats } from '../core/grow/stats.ts';
+import { treeStats } from '../core/grow/stats.ts';
+import { packTree } from '../core/pack/pack.ts';
+import { attachLeaves } from '../core/pieces/attach-leaves.ts';
+import { fitPieces } from '../core/pieces/fit-pieces.ts';
+import type { Species } from '../core/species/species.ts';
+import { Failure } from './failure.ts';
+
+/** Grows, fits and packs a tree, as the browser does, and counts it. */
+export function measure(species: Species, seed: number): TreeStats {
+  const begin = performance.now();
+  try {
+    const tree = grow(species, seed);
+    const pieces = fitPieces(tree);
+    const packed = packTree(tree, pieces, attachLeaves(tree, pieces));
+    return treeStats(tree, { pieces, packed, milliseconds: performance.now() - begin });
+  } catch (error) {
+    throw error instanceof GrowthBudgetError ? new Failure(error.message) : error;
+  }
+}
+
+const digits = (value: number, places: number): string => value.toFixed(places);
+
+/** The figures as a person reads them. */
+export function statsText(stats: TreeStats): string {
+  const heads = [
+    'level',
+    'stems',
+    'clones',
+    'segments',
+    'pieces',
+    'length, m: sum',
+    'mean',
+    'min',
+    'max',
+    'base radius, mm: mean',
+    'min',
+    'max',
+    'declination, deg',
+  ];
+  const rows = stats.levels.map((level) => [
+    String(level.level),
+    String(level.stems),
+    String(level.clones),
+    String(level.segments),
+    String(level.pieces),
+    digits(level.length.sum, 1),
+    digits(level.length.mean, 3),
+    digits(level.length.min, 3),
+    digits(level.length.max, 3),
+    digits(1000 * level.baseRadius.mean, 2),
+    digits(1000 * level.baseRadius.min, 2),
+    digits(1000 * level.baseRadius.max, 2),
+    digits(level.declinationDeg.mean, 1),
+  ]);
+  const widths = heads.map((head, i) => Math.max(head.length, ...rows.map((row) => row[i].length)));
+  const line = (cells: readonly string[]) => cells.map((cell, i) => cell.padStart(widths[i])).join('  ');
+  return [
+    `${stats.species}, seed ${stats.seed}`,
+    `height ${digits(stats.height, 2)} m, radius ${digits(stats.radius, 2)} m`,
+    '',
+    line(heads),
+    ...rows.map(line),
+    '',
+    `${stats.leaves} leaves, ${stats.pieces} pieces up to ${stats.maxDepth} deep, ${stats.bytes} bytes on the GPU, ${digits(stats.milliseconds, 1)} ms`,
+  ].join('\n');
+}

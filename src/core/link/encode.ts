@@ -1,0 +1,72 @@
+import { ALL_LEVELS, type CameraPose, type LinkDocument, STEPS_PER_SECOND } from './document.ts';
+import { CAMERA_NUMBERS, LINK_NUMBERS, roundTo, WAVE_NUMBERS, wrap } from './numbers.ts';
+import { textToBase64 } from './text.ts';
+import { roundWind, shownNumber } from './waves.ts';
+
+/** The nearest step of the clock to `seconds`, in seconds. */
+export const roundTime = (seconds: number): number =>
+  Math.round(roundTo(LINK_NUMBERS.t, seconds) * STEPS_PER_SECOND) / STEPS_PER_SECOND;
+
+const cameraNumbers = (camera: CameraPose): number[] =>
+  CAMERA_NUMBERS.map((rule, i) => {
+    const value = [camera.azimuth, camera.elevation, camera.distance, ...camera.target][i]!;
+    return rule.wraps ? wrap(rule, value) : roundTo(rule, value);
+  });
+
+/** The camera with the digits that a link keeps. */
+export function roundCamera(camera: CameraPose): CameraPose {
+  const [azimuth, elevation, distance, x, y, z] = cameraNumbers(camera) as [
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+  ];
+  return { azimuth, elevation, distance, target: [x, y, z] };
+}
+
+/** The document with the digits that a link keeps: what `decodeLink(encodeLink(document))` gives back. */
+export function roundDocument(document: LinkDocument): LinkDocument {
+  return {
+    ...document,
+    seed: roundTo(LINK_NUMBERS.seed, document.seed),
+    time: roundTime(document.time),
+    rate: roundTo(LINK_NUMBERS.rate, document.rate),
+    levelsShown: roundTo(LINK_NUMBERS.levels, document.levelsShown),
+    camera: document.camera && roundCamera(document.camera),
+    wind: roundWind(document.wind),
+  };
+}
+
+/**
+ * The document as `key=value` pairs for the part of an address behind `#`.
+ *
+ * Species, seed, time and waves always stand there, so that a link keeps its picture when presets are tuned; what is as
+ * in a fresh document (all levels, shaded, playing, ...) is left out.
+ */
+export function encodeLink(document: LinkDocument): string {
+  const d = roundDocument(document);
+  const pairs: [string, string][] = d.ownSpecies === null ? [['s', d.species]] : [['own', textToBase64(d.ownSpecies)]];
+  const put = (key: string, value: string | number): void => void pairs.push([key, String(value)]);
+  put('seed', d.seed);
+  put('t', roundTo(LINK_NUMBERS.t, d.time));
+  if (d.paused) put('paused', 1);
+  if (d.rate !== 1) put('rate', d.rate);
+  if (d.camera) put('cam', cameraNumbers(d.camera).join());
+  if (d.levelsShown < ALL_LEVELS) put('levels', d.levelsShown);
+  if (!d.showLeaves) put('leaves', 0);
+  if (d.view !== 'shaded') put('view', d.view);
+  if (d.theme !== 'auto') put('theme', d.theme);
+  put('wind', d.preset);
+  if (!d.blowing) put('blow', 0);
+  put('strength', d.wind.strength);
+  d.wind.waves.forEach((wave, i) => {
+    put(`w${i + 1}`, [...WAVE_NUMBERS.map((n) => shownNumber(wave, n)), ...(wave.on ? [] : ['off'])].join());
+  });
+  put('p', d.wind.forceExponent);
+  put('m', d.wind.lengthExponent);
+  if (d.wind.pose !== 'exact') put('pose', d.wind.pose);
+  if (d.wind.paper) put('paper', 1);
+  return pairs.map(([key, value]) => `${key}=${encodeURIComponent(value).replaceAll('%2C', ',')}`).join('&');
+}

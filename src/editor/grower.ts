@@ -1,0 +1,135 @@
+import type { LinkDocument } from '../core/link/link.ts';
+import type { Species } from '../core/species/species.ts';
+import { growInWorker } from '../worker/client.ts';
+import type { GrownTree, GrowProgress } from '../worker/protocol.ts';
+import type { Actions } from './actions.ts';
+import { type DocumentStore, watch } from './editor.ts';
+import type { SessionStore } from './session.ts';
+import { loadSpecies, readSpecies, SpeciesError } from './species-source.ts';
+
+type Wish = Pick<LinkDocument, 'species' | 'ownSpecies' | 'seed'>;
+
+const same = (a: Wish, b: Wish | null): boolean =>
+  b !== null && a.species === b.species && a.ownSpecies === b.ownSpecies && a.seed === b.seed;
+
+/** Growing takes about half of the time, fitting and packing the rest. */
+const stages = { grow: [0, 0.5], fit: [0.5, 0.35], pack: [0.85, 0.15] } as const;
+
+function overall({ stage, done }: GrowProgress): number {
+  const [start, share] = stages[stage];
+  return start + share * done;
+}
+
+/**
+ * Grows what the document asks for, in the worker; the latest wish wins, and the tree on the screen stays until the next one
+ * stands. A wish that cannot be granted gives a message, and the document goes back to the tree on the screen.
+ */
+export class Grower {
+  private shown: Wish | null = null;
+  private wish: Wish | null = null;
+  private abort: AbortController | null = null;
+
+  private readonly document: DocumentStore;
+  private readonly session: SessionStore;
+  private readonly actions: Actions;
+  private readonly onTree: (tree: GrownTree, species: Species) => void;
+
+  constructor(
+    document: DocumentStore,
+    session: SessionStore,
+    actions: Actions,
+    onTree: (tree: GrownTree, species: Species) => void,
+  ) {
+    this.document = document;
+    this.session = session;
+    this.actions = actions;
+    this.onTree = onTree;
+    watch(
+      document,
+      (d) => d,
+      () => void this.grow(),
+    );
+  }
+
+  /** The tree on the screen is the one that the document asks for. */
+  get current(): boolean {
+    return this.abort === null && same(this.document.getState(), this.shown);
+  }
+
+  /** Stops growing; the document goes back to the tree on the screen. */
+  cancel(): void {
+    this.abort?.abort();
+    this.goBack();
+  }
+
+  /** Grows what the document asks for, unless that stands or grows already. */
+  async grow(): Promise<void> {
+    const { species, ownSpecies, seed } = this.document.getState();
+    const wish = { species, ownSpecies, seed };
+    if (same(wish, this.wish)) return;
+    this.wish = wish;
+    this.abort?.abort();
+    const abort = new AbortController();
+    this.abort = abort;
+    try {
+      const found = await this.find(wish);
+      if (abort.signal.aborted) return;
+      this.session.setState({ growing: { name: found.name, progress: 0 }, spoken: `Growing ${found.name}` });
+      const grown = await growInWorker(found, seed, {
+        signal: abort.signal,
+        onProgress: (progress) => {
+          if (abort.signal.aborted) return;
+          this.session.setState({ growing: { name: found.name, progress: overall(progress) } });
+        },
+      });
+      if (abort.signal.aborted) return;
+      this.stand(wish, found, grown);
+    } catch (error) {
+      if (abort.signal.aborted) return;
+      this.abort = null;
+      this.session.setState({ growing: null });
+      if (error instanceof SpeciesError) this.actions.notify('error', error.message, error.lines);
+      else
+        this.actions.notify('error', 'This tree could not be grown', [
+          error instanceof Error ? error.message : String(error),
+        ]);
+      this.goBack();
+    }
+  }
+
+  private async find(wish: Wish): Promise<Species> {
+    if (wish.ownSpecies !== null) return readSpecies(wish.ownSpecies, 'The species in this link cannot be grown');
+    const entry = this.session.getState().species.find((s) => s.id === wish.species);
+    if (!entry) throw new SpeciesError(`There is no species ${wish.species}`);
+    return loadSpecies(entry);
+  }
+
+  private stand(wish: Wish, species: Species, grown: GrownTree): void {
+    const { stats, packed, milliseconds } = grown;
+    const grow = milliseconds.grow + milliseconds.fit + milliseconds.pack;
+    this.abort = null;
+    this.shown = wish;
+    this.session.setState({
+      growing: null,
+      tree: {
+        species,
+        seed: wish.seed,
+        figures: { stems: 0, pieces: packed.pieceCount, leaves: packed.leafCount, height: stats.height, grow },
+      },
+      spoken: `${species.name}, ${packed.leafCount} leaves`,
+    });
+    this.onTree(grown, species);
+  }
+
+  /** To the tree on the screen, or where there is none yet to a species that ships. */
+  private goBack(): void {
+    this.abort = null;
+    this.session.setState({ growing: null });
+    if (this.shown) {
+      this.wish = this.shown;
+      this.document.setState(this.shown);
+    } else if (this.wish?.ownSpecies) {
+      this.document.setState({ ownSpecies: null });
+    }
+  }
+}

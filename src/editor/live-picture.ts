@@ -1,0 +1,185 @@
+import { Box3, Vector3 } from 'three';
+import type { CameraPose } from '../core/link/link.ts';
+import { POSE_TARGETS, TEXEL } from '../core/pack/layout.ts';
+import type { Species } from '../core/species/species.ts';
+import type { Wind } from '../core/wind/wind.ts';
+import { Stage } from '../view/stage.ts';
+import { WindTree } from '../view/wind-tree.ts';
+import type { GrownTree } from '../worker/protocol.ts';
+import { placeOf, poseOf } from './camera-pose.ts';
+import { GpuTimer } from './gpu-timer.ts';
+import type { Insets, Picture, PictureEvents, Show } from './picture.ts';
+import type { FrameFigures } from './session.ts';
+
+/** Tree space is z-up, the picture y-up. */
+const boxOf = ([x0, y0, z0, x1, y1, z1]: ArrayLike<number> & Iterable<number>): Box3 =>
+  new Box3(new Vector3(x0, z0, -y1!), new Vector3(x1, z1, -y0!));
+
+/** The picture that moves: three's stage with one tree in the wind. */
+export class LivePicture implements Picture {
+  readonly canvas = document.createElement('canvas');
+  private readonly stage: Stage;
+  private readonly tree = new WindTree();
+  private readonly events: PictureEvents;
+  private readonly timer: GpuTimer;
+  private grown: GrownTree | null = null;
+  /** Where the document wants the camera; null: the whole tree. */
+  private wished: CameraPose | null = null;
+  /** Where the camera rests: set anew before each frame, so that rounding in the controls never adds up. */
+  private readonly rest = { position: new Vector3(), target: new Vector3() };
+  /** The reader holds the camera, or let it go and it glides. */
+  private held = false;
+  private gliding = false;
+  /** What casts shadows has changed since they were drawn. */
+  private stale = true;
+  private time = Number.NaN;
+  private windMs = 0;
+
+  /** Draws in `host`, as large as that is. Throws where the browser gives no WebGL2 context. */
+  constructor(host: HTMLElement, events: PictureEvents) {
+    this.events = events;
+    this.canvas.tabIndex = 0;
+    host.append(this.canvas);
+    this.stage = new Stage(this.canvas);
+    this.stage.scene.add(this.tree);
+    this.timer = new GpuTimer(this.stage.renderer.getContext() as WebGL2RenderingContext);
+    const { controls } = this.stage;
+    controls.enableDamping = !matchMedia('(prefers-reduced-motion: reduce)').matches;
+    controls.addEventListener('start', () => {
+      this.held = true;
+      this.gliding = true;
+      events.onChange();
+    });
+    controls.addEventListener('end', () => {
+      this.held = false;
+      events.onChange();
+    });
+    controls.addEventListener('change', events.onChange);
+    for (const [name, lost] of [
+      ['webglcontextlost', true],
+      ['webglcontextrestored', false],
+    ] as const) {
+      this.canvas.addEventListener(name, () => {
+        this.stale = true;
+        events.onLost(lost);
+      });
+    }
+    const size = (): void => {
+      this.stage.resize(host.clientWidth, host.clientHeight, window.devicePixelRatio);
+      this.place();
+      events.onChange();
+    };
+    new ResizeObserver(size).observe(host);
+    size();
+  }
+
+  get renderer(): Stage['renderer'] {
+    return this.stage.renderer;
+  }
+
+  get moving(): boolean {
+    return this.held || this.gliding;
+  }
+
+  get camera(): CameraPose {
+    return poseOf(this.stage.camera.position, this.stage.controls.target);
+  }
+
+  setTree(grown: GrownTree, species: Species): void {
+    this.grown = grown;
+    this.tree.setTree(grown.packed, species);
+    this.stale = true;
+    this.place();
+  }
+
+  setWind(wind: Wind, fade: number): void {
+    this.tree.setWind(wind, { fade });
+    this.stale = true;
+  }
+
+  show({ levelsShown, showLeaves, view }: Show): void {
+    this.tree.levelsShown = levelsShown;
+    this.tree.showLeaves = showLeaves ? 'auto' : false;
+    this.tree.mode = view;
+    this.stale = true;
+  }
+
+  setDark(dark: boolean): void {
+    this.stage.setDark(dark);
+    this.stale = true;
+  }
+
+  setInsets(insets: Insets): void {
+    this.stage.setInsets(insets);
+    this.place();
+  }
+
+  setCamera(camera: CameraPose | null): void {
+    this.wished = camera;
+    this.place();
+  }
+
+  draw(time: number): FrameFigures {
+    const { stage, tree } = this;
+    const { renderer, controls, camera } = stage;
+    if (!this.moving) {
+      camera.position.copy(this.rest.position);
+      controls.target.copy(this.rest.target);
+    }
+    const start = performance.now();
+    this.timer.begin();
+    tree.update(renderer, time);
+    this.timer.end();
+    const submitted = performance.now();
+    stage.render(this.stale || time !== this.time);
+    const drawn = performance.now();
+    this.stale = false;
+    this.time = time;
+    this.windMs = this.timer.milliseconds ?? submitted - start;
+    if (this.gliding && !this.held && !stage.moving) this.settle();
+    const { triangles, calls } = renderer.info.render;
+    return { triangles, drawCalls: calls, wind: this.windMs, draw: drawn - start, frame: 0 };
+  }
+
+  tips(): Float32Array {
+    const pose = this.tree.readPose(this.stage.renderer);
+    if (!pose || !this.grown) return new Float32Array(0);
+    const { pieceCount, restPose } = this.grown.packed;
+    const first = POSE_TARGETS.P3 * restPose.width * restPose.height * TEXEL;
+    const tips = new Float32Array(3 * pieceCount);
+    for (let i = 0; i < pieceCount; i++) tips.set(pose.subarray(first + TEXEL * i, first + TEXEL * i + 3), 3 * i);
+    return tips;
+  }
+
+  capture(time: number): string {
+    this.draw(time);
+    return this.canvas.toDataURL(); // in the same task: the drawing is gone once it was shown
+  }
+
+  /** The camera came to rest: what is left of its swing goes, and the document learns where it stands. */
+  private settle(): void {
+    const { controls } = this.stage;
+    const { enableDamping } = controls;
+    controls.enableDamping = false;
+    controls.update();
+    controls.enableDamping = enableDamping;
+    this.gliding = false;
+    this.events.onCamera(this.camera);
+  }
+
+  /** Puts the camera where the document wants it. */
+  private place(): void {
+    const { stage, rest, wished } = this;
+    if (this.grown) {
+      const box = boxOf(this.grown.packed.bounds);
+      if (wished) stage.setSubject(box);
+      else stage.frame(box);
+    }
+    if (wished) placeOf(wished, rest.position, rest.target);
+    else {
+      rest.position.copy(stage.camera.position);
+      rest.target.copy(stage.controls.target);
+    }
+    this.gliding = false;
+  }
+}

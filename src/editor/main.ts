@@ -1,0 +1,8 @@
+import './styles/tokens.css';
+import './styles/layout.css';
+import './styles/controls.css';
+import './styles/parts.css';
+import './styles/sheet.css';
+import { boot } from './boot.ts';
+
+void boot(document.querySelector<HTMLElement>('.picture')!, document.querySelector<HTMLElement>('#interface')!);

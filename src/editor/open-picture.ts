@@ -1,0 +1,30 @@
+import { capabilitiesOf, probePage } from '../gpu/capabilities.ts';
+import type { Actions } from './actions.ts';
+import { LivePicture } from './live-picture.ts';
+import type { Picture, PictureEvents } from './picture.ts';
+import type { SessionStore } from './session.ts';
+import { StillPicture } from './still-picture.ts';
+
+/** The best picture that this browser can show, with a message where that is less than the whole. */
+export function openPicture(
+  host: HTMLElement,
+  session: SessionStore,
+  actions: Actions,
+  events: PictureEvents,
+): Picture {
+  try {
+    const picture = new LivePicture(host, events);
+    const { degradation, reason } = capabilitiesOf(picture.renderer);
+    if (degradation !== 'none') actions.notify('warning', 'The wind is slower here than it could be', [reason]);
+    return picture;
+  } catch (error) {
+    const { reason } = probePage();
+    session.setState({ still: true });
+    actions.notify('warning', 'This is a still picture', [
+      reason || `The graphics of this browser failed: ${error instanceof Error ? error.message : String(error)}`,
+      'The tree is drawn once for each change. Another browser, or graphics acceleration switched on, shows it in the wind.',
+    ]);
+    host.replaceChildren();
+    return new StillPicture(host, events);
+  }
+}

@@ -1,0 +1,54 @@
+import type { CameraPose, ViewMode } from '../core/link/link.ts';
+import type { Species } from '../core/species/species.ts';
+import type { Wind } from '../core/wind/wind.ts';
+import type { GrownTree } from '../worker/protocol.ts';
+import type { FrameFigures } from './session.ts';
+
+/** Pixels of the window that panels cover: the tree is framed in what is left. */
+export interface Insets {
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+  readonly left: number;
+}
+
+/** How the tree is drawn. */
+export interface Show {
+  readonly levelsShown: number;
+  readonly showLeaves: boolean;
+  readonly view: ViewMode;
+}
+
+/** What the editor shows a tree on: the stage, or a still drawing where there is no WebGL2. */
+export interface Picture {
+  setTree(grown: GrownTree, species: Species): void;
+  /** Lets `wind` blow after `fade` seconds of change; 0: at once. */
+  setWind(wind: Wind, fade: number): void;
+  show(how: Show): void;
+  setDark(dark: boolean): void;
+  setInsets(insets: Insets): void;
+  /** null: frames the whole tree, and keeps doing so while trees and windows change. */
+  setCamera(camera: CameraPose | null): void;
+  /** Where the camera stands now. */
+  readonly camera: CameraPose;
+  /** What takes the keyboard's focus for the picture. */
+  readonly canvas: HTMLElement;
+  /** The camera is on its way: each frame differs from the last. */
+  readonly moving: boolean;
+  /** Draws the tree at `time` seconds. */
+  draw(time: number): FrameFigures;
+  /** Tips (P3) of all pieces as they were drawn last, 3 a piece, tree space, metres. */
+  tips(): Float32Array;
+  /** Draws the tree at `time` seconds without the interface, as a data: address of a PNG. */
+  capture(time: number): string;
+}
+
+/** What a picture tells the editor. */
+export interface PictureEvents {
+  /** Something changed by itself (a size, a finger on the camera): draw again. */
+  readonly onChange: () => void;
+  /** The reader moved the camera, and it has come to rest here. */
+  readonly onCamera: (camera: CameraPose) => void;
+  /** The GPU was taken away (true), or came back. */
+  readonly onLost: (lost: boolean) => void;
+}

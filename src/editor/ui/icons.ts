@@ -1,0 +1,28 @@
+import { html, type TemplateResult } from 'lit';
+
+/** Drawings of 16 by 16 in the colour of the text; the control around them has the words. */
+const paths = {
+  play: 'M4.5 2.5v11l9-5.5z',
+  pause: 'M4.5 2.5v11M11.5 2.5v11',
+  step: 'M3 3v10l6.5-5zM12.5 3v10',
+  dice: 'M2.5 2.5h11v11h-11zM5.5 5.5h.01M10.5 5.5h.01M8 8h.01M5.5 10.5h.01M10.5 10.5h.01',
+  link: 'M6.5 9.5l3-3M7 4.5l1.2-1.2a3 3 0 014.3 4.3L11 9M9 11.5l-1.2 1.2a3 3 0 01-4.3-4.3L5 7',
+  sun: 'M8 5a3 3 0 100 6 3 3 0 000-6zM8 1v1.5M8 13.5V15M1 8h1.5M13.5 8H15M3 3l1 1M12 12l1 1M13 3l-1 1M4 12l-1 1',
+  moon: 'M13 9.6A5.6 5.6 0 016.4 3a5.6 5.6 0 106.6 6.6z',
+  half: 'M8 2a6 6 0 100 12A6 6 0 008 2zM8 2v12M9.5 4v8M11 5v6M12.5 6.5v3',
+  help: 'M5.8 6a2.2 2.2 0 113 2c-.6.3-.8.7-.8 1.5M8 12v.01',
+  close: 'M4 4l8 8M12 4l-8 8',
+  down: 'M4 6.5l4 4 4-4',
+  open: 'M2.5 12.5v-9h4l1.5 2h5.5v7z',
+  frame: 'M2.5 5.5v-3h3M10.5 2.5h3v3M13.5 10.5v3h-3M5.5 13.5h-3v-3',
+  arrow: 'M2.5 8h11M9.5 4l4 4-4 4',
+} as const;
+
+export type Icon = keyof typeof paths;
+
+const filled: ReadonlySet<Icon> = new Set(['play']);
+
+/** An icon that screen readers pass over. */
+export const icon = (name: Icon): TemplateResult => html`<svg class="icon" viewBox="0 0 16 16" aria-hidden="true"
+  ><path d=${paths[name]} fill=${filled.has(name) ? 'currentColor' : 'none'}></path
+></svg>`;

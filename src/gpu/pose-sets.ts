@@ -1,0 +1,89 @@
+import {
+  DataTexture,
+  FloatType,
+  NearestFilter,
+  RGBAFormat,
+  type Texture,
+  type TextureDataType,
+  WebGLRenderTarget,
+} from 'three';
+import { POSE_TARGETS, TEXEL } from '../core/pack/layout.ts';
+import type { PackedTree } from '../core/pack/packed.ts';
+
+/** Textures of one pose, by POSE_TARGETS. */
+export type PoseTextures = readonly [Texture, Texture, Texture, Texture];
+
+/**
+ * What a shader needs to read the pose: hand these very objects to a material, they stay the same while a tree lives.
+ *
+ * A piece of even depth is read from `poseEven`, one of odd depth from `poseOdd`; both hold the same textures where the
+ * pass is lagged or the CPU poses the tree.
+ */
+export interface PoseUniforms {
+  /** uniform sampler2D poseEven[4] */
+  readonly poseEven: { value: Texture[] };
+  /** uniform sampler2D poseOdd[4] */
+  readonly poseOdd: { value: Texture[] };
+}
+
+const COUNT = Object.keys(POSE_TARGETS).length;
+
+/** Where pieces stand: two sets of render targets for the pass, or one set of textures that the CPU writes. */
+export interface PoseSets {
+  /** Set 0 holds even depths, set 1 odd ones; null where the CPU poses the tree. */
+  readonly targets: readonly [WebGLRenderTarget, WebGLRenderTarget] | null;
+  /** The textures that the CPU writes; null where the GPU poses the tree. */
+  readonly written: readonly DataTexture[] | null;
+  readonly uniforms: PoseUniforms;
+  dispose(): void;
+}
+
+const FORMAT = {
+  format: RGBAFormat,
+  type: FloatType as TextureDataType,
+  minFilter: NearestFilter, // float textures without OES_texture_float_linear sample as 0 under a linear filter
+  magFilter: NearestFilter,
+  generateMipmaps: false,
+};
+
+/** Two sets of four RGBA32F targets of the tree's size; empty until they are seeded. */
+export function targetSets(tree: PackedTree): PoseSets {
+  const { width, height } = tree.restPose;
+  const make = (name: string) => {
+    const target = new WebGLRenderTarget(width, height, { ...FORMAT, count: COUNT, depthBuffer: false });
+    target.textures.forEach((texture, i) => {
+      texture.name = `${name} P${i}`;
+    });
+    return target;
+  };
+  const targets = [make('pose even'), make('pose odd')] as const;
+  return {
+    targets,
+    written: null,
+    uniforms: { poseEven: { value: [...targets[0].textures] }, poseOdd: { value: [...targets[1].textures] } },
+    dispose: () => {
+      for (const target of targets) target.dispose();
+    },
+  };
+}
+
+/** Four textures over the memory that the CPU poses the tree in, which starts at rest; `data` is laid out as `restPose.data`. */
+export function writtenSets(tree: PackedTree, data: Float32Array): PoseSets {
+  const { width, height } = tree.restPose;
+  const floats = width * height * TEXEL;
+  const written = Array.from({ length: COUNT }, (_, i) => {
+    const layer = data.subarray(i * floats, (i + 1) * floats) as Float32Array<ArrayBuffer>;
+    const texture = new DataTexture(layer, width, height, RGBAFormat, FloatType);
+    texture.needsUpdate = true;
+    texture.name = `pose P${i}`;
+    return texture;
+  });
+  return {
+    targets: null,
+    written,
+    uniforms: { poseEven: { value: [...written] }, poseOdd: { value: [...written] } },
+    dispose: () => {
+      for (const texture of written) texture.dispose();
+    },
+  };
+}

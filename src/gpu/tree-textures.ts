@@ -1,0 +1,59 @@
+import { DataArrayTexture, FloatType, RGBAFormat } from 'three';
+import type { PackedTree, TexelArray } from '../core/pack/packed.ts';
+import { type PoseSets, type PoseUniforms, targetSets, writtenSets } from './pose-sets.ts';
+
+/** A texel array as a texture: RGBA32F, nearest, no copy of the data. */
+export function arrayTexture(texels: TexelArray, name: string): DataArrayTexture {
+  const data = texels.data as Float32Array<ArrayBuffer>;
+  const texture = new DataArrayTexture(data, texels.width, texels.height, texels.layers);
+  texture.format = RGBAFormat;
+  texture.type = FloatType; // the filters of a data texture are nearest already
+  texture.name = name;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/** What the deformers read besides the pose; the objects stay the same while a tree lives. */
+export interface TreeUniforms extends PoseUniforms {
+  /** uniform sampler2DArray branches: layers of BRANCH_LAYERS */
+  readonly branches: { value: DataArrayTexture };
+  /** uniform sampler2DArray leaves: layers of LEAF_LAYERS */
+  readonly leaves: { value: DataArrayTexture };
+}
+
+/** Every texture of one tree on the GPU; three uploads each at its first use, and again after a lost context. */
+export class TreeTextures {
+  readonly tree: PackedTree;
+  readonly pieces: DataArrayTexture;
+  readonly branches: DataArrayTexture;
+  readonly leaves: DataArrayTexture;
+  readonly pose: PoseSets;
+  readonly uniforms: TreeUniforms;
+  /** The pose that the CPU writes, laid out as `restPose.data`; null where the GPU poses the tree. */
+  readonly cpuPose: Float32Array | null;
+
+  /** `gpuPose`: four float targets can be drawn into (`Capabilities.floatTargets`); else the CPU poses the tree. */
+  constructor(tree: PackedTree, gpuPose: boolean) {
+    this.tree = tree;
+    this.pieces = arrayTexture(tree.pieces, 'pieces');
+    this.branches = arrayTexture(tree.branches, 'branches');
+    this.leaves = arrayTexture(tree.leaves, 'leaves');
+    this.cpuPose = gpuPose ? null : tree.restPose.data.slice();
+    this.pose = this.cpuPose ? writtenSets(tree, this.cpuPose) : targetSets(tree);
+    this.uniforms = { ...this.pose.uniforms, branches: { value: this.branches }, leaves: { value: this.leaves } };
+  }
+
+  /** Bytes that the tree takes on the GPU. */
+  get bytes(): number {
+    const { pieces, restPose, branches, leaves } = this.tree;
+    const texels = [pieces, branches, leaves].reduce((sum, array) => sum + array.data.byteLength, 0);
+    return texels + restPose.data.byteLength * (this.cpuPose ? 1 : 2);
+  }
+
+  dispose(): void {
+    this.pieces.dispose();
+    this.branches.dispose();
+    this.leaves.dispose();
+    this.pose.dispose();
+  }
+}

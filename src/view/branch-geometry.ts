@@ -1,0 +1,53 @@
+import { type Box3, BufferAttribute, InstancedBufferGeometry, Sphere } from 'three';
+import { branchGrid, type GridSpec } from './grid.ts';
+import { type LeafGrain, leafMesh } from './leaf-mesh.ts';
+
+/** Copies of a grid or a leaf in one instance: an instance costs a software rasteriser as much as thirty vertices. */
+export const BUNDLE = 64;
+
+/** Copies that waste nothing where there are few things to draw. */
+export const bundleFor = (count: number): number => Math.max(1, Math.min(BUNDLE, count));
+
+/** Instances that hold `count` copies. */
+const instances = (count: number, bundle: number): number => Math.ceil(count / bundle);
+
+function bounded(geometry: InstancedBufferGeometry, box: Box3): InstancedBufferGeometry {
+  // The vertices are made in the shader, so three cannot find the bounds itself.
+  geometry.boundingBox = box.clone();
+  geometry.boundingSphere = box.getBoundingSphere(new Sphere());
+  return geometry;
+}
+
+/** A grid as instanced geometry over `count` pieces; `box` bounds them in tree space. */
+export function branchGeometry(spec: GridSpec, count: number, box: Box3): InstancedBufferGeometry {
+  const grid = branchGrid(spec);
+  const geometry = new InstancedBufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(grid.position, 3));
+  geometry.setAttribute('normal', new BufferAttribute(grid.shape, 3));
+  geometry.setIndex(new BufferAttribute(grid.index, 1));
+  geometry.instanceCount = instances(count, spec.bundle);
+  geometry.userData.triangles = grid.trianglesPerCopy * count;
+  return bounded(geometry, box);
+}
+
+/** What a leaf looks like, in lengths of its blade. */
+export interface LeafGeometrySpec {
+  readonly shape: number;
+  readonly width: number;
+  readonly petiole: number;
+  readonly grain: LeafGrain;
+}
+
+/** Leaves as instanced geometry; `box` bounds them in tree space. */
+export function leafGeometry(spec: LeafGeometrySpec, count: number, box: Box3): InstancedBufferGeometry {
+  const bundle = bundleFor(count);
+  const mesh = leafMesh(spec.shape, spec.width, spec.petiole, spec.grain, bundle);
+  const geometry = new InstancedBufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(mesh.position, 3));
+  geometry.setAttribute('normal', new BufferAttribute(mesh.normal, 3));
+  geometry.setAttribute('blade', new BufferAttribute(mesh.blade, 4));
+  geometry.setIndex(new BufferAttribute(mesh.index, 1));
+  geometry.instanceCount = instances(count, bundle);
+  geometry.userData.triangles = mesh.trianglesPerCopy * count;
+  return bounded(geometry, box);
+}

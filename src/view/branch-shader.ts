@@ -1,0 +1,53 @@
+import barkFragment from '../../shaders/branch/bark-fragment.glsl';
+import barkVertex from '../../shaders/branch/bark-vertex.glsl';
+import branchVertex from '../../shaders/branch/vertex.glsl';
+import crown from '../../shaders/leaf/crown.glsl';
+import { layoutGlsl } from '../core/pack/layout-glsl.ts';
+import type { Injection, Patch } from './inject.ts';
+
+/** Where the deformer takes over from three's own vertex; every material has these. */
+const shape: readonly Patch[] = [
+  { anchor: '#include <common>', after: `${layoutGlsl()}\n${branchVertex}` },
+  { anchor: '#include <uv_vertex>', before: 'BranchVertex here = branchVertex();' },
+  {
+    anchor: '#include <beginnormal_vertex>',
+    instead: `vec3 objectNormal = here.surface.normal;
+#ifdef USE_TANGENT
+  vec3 objectTangent = here.surface.around;
+#endif`,
+  },
+  {
+    anchor: '#include <begin_vertex>',
+    instead: `vec3 transformed = here.surface.position;
+#ifdef USE_ALPHAHASH
+  vPosition = transformed;
+#endif`,
+  },
+];
+
+/** For MeshStandardMaterial and MeshPhysicalMaterial. */
+export const BRANCH_STANDARD: Injection = {
+  vertex: [
+    ...shape,
+    { anchor: '#include <uv_pars_vertex>', before: `${crown}\n${barkVertex}` },
+    {
+      anchor: '#include <defaultnormal_vertex>',
+      after: `vAround = (modelViewMatrix * vec4(here.surface.around, 0.0)).xyz;
+barkVertex(here, normal.x, crownSky(here.surface.position));`,
+    },
+  ],
+  fragment: [
+    { anchor: '#include <common>', after: barkFragment },
+    { anchor: '#include <map_fragment>', after: 'diffuseColor.rgb *= barkDiffuse();' },
+    { anchor: '#include <roughnessmap_fragment>', after: 'roughnessFactor = barkRoughness(roughnessFactor);' },
+    { anchor: '#include <normal_fragment_maps>', after: 'normal = barkNormal(normal);' },
+    {
+      anchor: '#include <aomap_fragment>',
+      after: `reflectedLight.indirectDiffuse *= barkAmbient();
+reflectedLight.indirectSpecular *= barkAmbient();`,
+    },
+  ],
+};
+
+/** For MeshDepthMaterial and MeshDistanceMaterial: the same shape, so shadows sway too. */
+export const BRANCH_DEPTH: Injection = { vertex: shape, fragment: [] };

@@ -1,0 +1,65 @@
+import type { LeafGrain } from './leaf-mesh.ts';
+
+/** How finely a tree is drawn: by size on screen, or always finer or coarser than that. */
+export type Detail = 'auto' | 'high' | 'low';
+
+/** Sectors and bands of a level's grid; sectors 1 is a ribbon that faces the camera. */
+export interface GridDetail {
+  readonly sectors: number;
+  readonly bands: number;
+}
+
+/** Factor on sizes in pixels. */
+const FACTOR: Record<Detail, number> = { auto: 1, high: 4, low: 0.4 };
+
+/** Least radius in pixels of each step, and its sectors: a polygon's flat sides stay below about half a pixel. */
+const SECTORS: readonly (readonly [number, number])[] = [
+  [48, 24],
+  [20, 16],
+  [8, 12],
+  [3.5, 8],
+  [1.6, 6],
+  [0.9, 4],
+];
+
+/** Bands of a piece by level: trunks carry the flare, deeper pieces are short and nearly straight. */
+const BANDS: readonly (readonly [near: number, far: number])[] = [
+  [18, 12],
+  [10, 6],
+  [6, 4],
+  [4, 2],
+];
+
+/**
+ * The grid for a level whose stems are `radius` pixels thick on screen.
+ *
+ * Triangles cost more than the deformer's arithmetic, so thin branches become ribbons of two columns.
+ */
+export function gridDetail(level: number, radius: number, detail: Detail): GridDetail {
+  const pixels = radius * FACTOR[detail];
+  const bands = BANDS[Math.min(level, BANDS.length - 1)] as readonly [number, number];
+  const step = SECTORS.find(([least]) => pixels >= least);
+  // A trunk stays round: its lobes and its shadow show even where it is thin.
+  const sectors = step ? step[1] : level === 0 ? 6 : 1;
+  return { sectors, bands: pixels >= 3.5 ? bands[0] : bands[1] };
+}
+
+/** How finely leaves are drawn whose blades are `length` pixels long on screen. */
+export function leafGrain(length: number, detail: Detail): LeafGrain {
+  const pixels = length * FACTOR[detail];
+  if (pixels >= 42) return 'near';
+  return pixels >= 9 ? 'middle' : 'far';
+}
+
+/** Leaves that are drawn at most, by default. */
+export const LEAF_BUDGET: Record<Detail, number> = { auto: 150_000, high: 600_000, low: 30_000 };
+
+/**
+ * Factors on a leaf's width and length where only `fraction` of the leaves is drawn, so that they cover as much: narrow
+ * leaves grow in width first, since a willow with broad leaves is still a willow and one with long leaves is not.
+ */
+export function leafGrowth(fraction: number, widthOverLength: number): [width: number, length: number] {
+  const narrow = Math.min(1, Math.max(0, 1 - widthOverLength));
+  const share = 0.5 + 0.25 * narrow;
+  return [fraction ** -share, fraction ** -(1 - share)];
+}

@@ -1,0 +1,66 @@
+import leafFragment from '../../shaders/leaf/fragment.glsl';
+import leafLook from '../../shaders/leaf/look-vertex.glsl';
+import leafThrough from '../../shaders/leaf/through.glsl';
+import leafVertex from '../../shaders/leaf/vertex.glsl';
+import { layoutGlsl } from '../core/pack/layout-glsl.ts';
+import type { Injection, Patch } from './inject.ts';
+
+/** Where the leaf takes over from three's own vertex; every material has these. */
+const shape: readonly Patch[] = [
+  { anchor: '#include <common>', after: `${layoutGlsl()}\n${leafVertex}` },
+  { anchor: '#include <uv_vertex>', before: 'LeafVertex here = leafVertex();' },
+  { anchor: '#include <beginnormal_vertex>', instead: 'vec3 objectNormal = here.normal;' },
+  {
+    anchor: '#include <begin_vertex>',
+    instead: `vec3 transformed = here.position;
+#ifdef USE_ALPHAHASH
+  vPosition = transformed;
+#endif`,
+  },
+];
+
+/** For MeshStandardMaterial and MeshPhysicalMaterial, both sides drawn. */
+export const LEAF_STANDARD: Injection = {
+  vertex: [
+    ...shape,
+    { anchor: '#include <uv_pars_vertex>', before: leafLook },
+    {
+      anchor: '#include <defaultnormal_vertex>',
+      after: `transformedNormal = leafShadingNormal(
+  normalize(transformedNormal),
+  (modelViewMatrix * vec4(here.position, 1.0)).xyz,
+  normalize(normalMatrix * crownNormal(here.position)),
+  projectionMatrix[2][3] == 0.0
+);
+vLeaf = vec4(here.own, crownSky(here.position), blade.xy);`,
+    },
+    {
+      // A leaf that shows the eye its unlit side must not shade itself: look its shadow up a little nearer to the sun.
+      anchor: '#include <shadowmap_vertex>',
+      before: `#if defined(USE_SHADOWMAP) && NUM_DIR_LIGHT_SHADOWS > 0
+  mat4 toShadow = directionalShadowMatrix[0];
+  transformedNormal = -normalize((viewMatrix * vec4(toShadow[0].z, toShadow[1].z, toShadow[2].z, 0.0)).xyz);
+#endif`,
+    },
+  ],
+  fragment: [
+    { anchor: '#include <common>', after: leafFragment },
+    { anchor: '#include <lights_physical_pars_fragment>', after: leafThrough },
+    { anchor: '#include <map_fragment>', after: 'diffuseColor.rgb *= leafDiffuse(gl_FrontFacing);' },
+    // The vertex has turned the normal to the eye already; three turns it by the side of the triangle.
+    {
+      anchor: '#include <normal_fragment_begin>',
+      after: `#ifdef DOUBLE_SIDED
+  normal *= faceDirection;
+#endif`,
+    },
+    {
+      anchor: '#include <aomap_fragment>',
+      after: `reflectedLight.indirectDiffuse *= vLeaf.y;
+reflectedLight.indirectSpecular *= vLeaf.y;`,
+    },
+  ],
+};
+
+/** For MeshDepthMaterial and MeshDistanceMaterial. */
+export const LEAF_DEPTH: Injection = { vertex: shape, fragment: [] };

@@ -1,0 +1,115 @@
+import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial, Vector2 } from 'three';
+import grassGlsl from '../../shaders/stage/grass.glsl';
+import groundGlsl from '../../shaders/stage/ground.glsl';
+import { hashPcg, hashUnit } from '../core/math/hash.ts';
+import type { Ground } from './ground.ts';
+import { inject } from './inject.ts';
+
+/** Tufts, blades of each. */
+const TUFTS = 5200;
+const BLADES = 3;
+
+/** Where three's Lambert material takes the blades and the colour of the ground that they stand on. */
+export const GRASS_INJECTION = {
+  vertex: [
+    { anchor: '#include <common>', after: grassGlsl },
+    { anchor: '#include <beginnormal_vertex>', instead: 'vec3 objectNormal = vec3(0.0, 1.0, 0.0);' },
+    {
+      anchor: '#include <begin_vertex>',
+      instead: `vec3 transformed = grassPoint();
+vGround = (modelMatrix * vec4(transformed, 1.0)).xyz;
+vBlade = vec2(position.y > 0.0 ? 1.0 : 0.0, normal.z);`,
+    },
+  ],
+  fragment: [
+    { anchor: '#include <common>', after: `${groundGlsl}\nin vec2 vBlade;` },
+    {
+      anchor: '#include <map_fragment>',
+      after: 'diffuseColor.rgb *= mix(groundDiffuse() * 0.82, grassLight * (0.8 + 0.45 * vBlade.y), vBlade.x * 0.7);',
+    },
+    // Both sides of a blade are lit as the ground under it is.
+    { anchor: '#include <normal_fragment_begin>', after: 'normal *= faceDirection;' },
+    { anchor: '#include <aomap_fragment>', after: 'reflectedLight.indirectDiffuse *= groundSky();' },
+    {
+      anchor: '#include <fog_fragment>',
+      after: 'gl_FragColor.rgb = mix(gl_FragColor.rgb, groundHaze, groundFade());',
+    },
+  ],
+} as const;
+
+/** Blades as one mesh: many near the tree, fewer outwards, so that they lie evenly in the picture. */
+function blades(): BufferGeometry {
+  const position = new Float32Array(TUFTS * BLADES * 9);
+  const shape = new Float32Array(TUFTS * BLADES * 9);
+  let h = 4711;
+  const draw = (): number => {
+    h = hashPcg(h);
+    return hashUnit(h);
+  };
+  let at = 0;
+  for (let tuft = 0; tuft < TUFTS; tuft++) {
+    const r = 0.025 + 1.9 * draw() ** 1.35;
+    const angle = draw() * Math.PI * 2;
+    const size = (0.07 + 0.14 * draw() ** 2) * (0.7 + 0.6 * r);
+    for (let blade = 0; blade < BLADES; blade++) {
+      const way = draw() * Math.PI * 2;
+      const root = 0.05 * draw();
+      const x = Math.cos(way) * root;
+      const z = Math.sin(way) * root;
+      const half = size * (0.05 + 0.05 * draw());
+      const lean = size * (0.15 + 0.55 * draw());
+      const height = size * (0.6 + 0.5 * draw());
+      const tone = draw();
+      const corners = [
+        [0, x - Math.sin(way) * half, z + Math.cos(way) * half],
+        [0, x + Math.sin(way) * half, z - Math.cos(way) * half],
+        [height, x + Math.cos(way) * lean, z + Math.sin(way) * lean],
+      ] as const;
+      for (const [up, dx, dz] of corners) {
+        position.set([r * Math.cos(angle), up, r * Math.sin(angle)], at);
+        shape.set([dx, dz, tone], at);
+        at += 3;
+      }
+    }
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(position, 3));
+  geometry.setAttribute('normal', new BufferAttribute(shape, 3));
+  return geometry;
+}
+
+/** Grass that stands on the ground and leans with the wind. It takes shadows and casts none. */
+export class Meadow extends Mesh<BufferGeometry, MeshLambertMaterial> {
+  readonly #scale = { value: 1 };
+  readonly #lean = { value: new Vector2() };
+
+  constructor(ground: Ground) {
+    const material = new MeshLambertMaterial();
+    super(blades(), material);
+    material.side = DoubleSide; // a blade has no back
+    inject(material, 'windgrove grass', GRASS_INJECTION, {
+      ...ground.uniforms,
+      grassScale: this.#scale,
+      grassLean: this.#lean,
+    });
+    this.name = 'meadow';
+    this.receiveShadow = true;
+    this.frustumCulled = false;
+    this.raycast = () => {};
+  }
+
+  /** Spreads the tufts over `reach` metres. */
+  fit(reach: number): void {
+    this.#scale.value = reach;
+  }
+
+  /** Leans the blades: metres a metre of height, world x and z. */
+  lean(x: number, z: number): void {
+    this.#lean.value.set(x, z);
+  }
+
+  override dispose(): void {
+    this.geometry.dispose();
+    this.material.dispose();
+  }
+}

@@ -1,0 +1,197 @@
+import {
+  ACESFilmicToneMapping,
+  Box3,
+  HemisphereLight,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Scene,
+  SRGBColorSpace,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { type Framing, frameTree } from './framing.ts';
+import { Ground } from './ground.ts';
+import { Meadow } from './meadow.ts';
+import { Sky } from './sky.ts';
+import { STAGE_LOOKS } from './stage-look.ts';
+import { Sun } from './sun.ts';
+
+/** Pixels of the picture that something else covers: the tree is framed in what is left. */
+export interface Insets {
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+  readonly left: number;
+}
+
+/** What a stage may be asked for. */
+export interface StageOptions {
+  /** Texels a side of the shadow map; 0 for no shadows. Default 1024. */
+  shadows?: number;
+  /** Smooths edges in hardware; on software GL it doubles the cost. Default true. */
+  antialias?: boolean;
+  /** Keep the drawing after it was shown, so that it can be copied. Default false. */
+  preserveDrawingBuffer?: boolean;
+}
+
+const NO_INSETS: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
+
+/** Vertical field of view in degrees, the feel of a 50 mm lens. */
+const FOV = 30;
+
+/** A quarter to the side of the sun, so that crowns have a lit and a shaded side. */
+const AZIMUTH = 0.2;
+
+/** A meadow under the sky for one tree: renderer, camera, sun, ground, orbit. */
+export class Stage {
+  readonly renderer: WebGLRenderer;
+  readonly scene = new Scene();
+  readonly camera = new PerspectiveCamera(FOV, 1, 0.05, 2000);
+  readonly controls: OrbitControls;
+  readonly sun: Sun;
+  readonly hemisphere = new HemisphereLight();
+  readonly sky = new Sky();
+  readonly ground = new Ground();
+  readonly meadow = new Meadow(this.ground);
+  readonly #box = new Box3(new Vector3(-2, 0, -2), new Vector3(2, 6, 2));
+  #insets = NO_INSETS;
+  #width = 1;
+  #height = 1;
+  #settling = 0;
+
+  /** Draws on `canvas`. Throws where the browser gives no WebGL2 context. */
+  constructor(
+    canvas: HTMLCanvasElement,
+    { shadows = 1024, antialias = true, preserveDrawingBuffer = false }: StageOptions = {},
+  ) {
+    this.renderer = new WebGLRenderer({
+      canvas,
+      antialias,
+      preserveDrawingBuffer,
+      powerPreference: 'high-performance',
+    });
+    this.renderer.outputColorSpace = SRGBColorSpace;
+    this.renderer.toneMapping = ACESFilmicToneMapping;
+    this.renderer.shadowMap.enabled = shadows > 0;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.shadowMap.autoUpdate = false;
+    this.sun = new Sun(shadows || 1);
+    this.sun.castShadow = shadows > 0;
+    this.scene.add(this.sky, this.ground, this.meadow, this.sun, this.sun.target, this.hemisphere);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = true;
+    this.controls.dampingFactor = 0.08;
+    this.controls.zoomToCursor = true;
+    this.controls.screenSpacePanning = true;
+    this.controls.addEventListener('change', () => {
+      this.#settling = 2;
+    });
+    this.setDark(false);
+    this.frame(this.#box);
+  }
+
+  /** Sizes the picture: CSS pixels, and device pixels to each. */
+  resize(width: number, height: number, pixelRatio = 1): void {
+    this.#width = Math.max(1, Math.round(width));
+    this.#height = Math.max(1, Math.round(height));
+    this.renderer.setPixelRatio(Math.min(2, Math.max(0.25, pixelRatio)));
+    this.renderer.setSize(this.#width, this.#height, false);
+    this.#applyInsets();
+  }
+
+  /** Keeps the middle of the view clear of what covers the picture's edges. */
+  setInsets(insets: Insets): void {
+    this.#insets = insets;
+    this.#applyInsets();
+  }
+
+  setDark(dark: boolean): void {
+    const look = STAGE_LOOKS[dark ? 'dark' : 'light'];
+    this.sky.setLook(look, this.sun.direction);
+    this.ground.setLook(look);
+    this.sun.color.set(look.sun);
+    this.sun.intensity = look.sunIntensity;
+    this.hemisphere.color.set(look.skyLight);
+    this.hemisphere.groundColor.set(look.groundLight);
+    this.hemisphere.intensity = look.skyIntensity;
+    this.renderer.toneMappingExposure = look.exposure;
+  }
+
+  /** Fits ground, sun and shadow to what stands on the stage: a box in metres, y up. The camera stays. */
+  setSubject(box: Box3, foot = 0.02 * (box.max.y - box.min.y)): void {
+    this.#box.copy(box);
+    const size = box.getSize(new Vector3());
+    const crown = Math.max(size.x, size.z) / 2;
+    this.ground.fit(Math.max(size.y, crown, 2), foot, crown);
+    this.meadow.fit(Math.max(size.y, crown, 2));
+    this.sun.fit(box);
+    const reach = Math.max(size.y, crown * 2, 2);
+    this.controls.minDistance = 0.02 * reach;
+    this.controls.maxDistance = 6 * reach;
+    this.camera.near = 0.004 * reach;
+    this.camera.far = 40 * reach;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** Shows the whole of a box in metres, y up, in a window of any shape. */
+  frame(box: Box3, azimuth = AZIMUTH): Framing {
+    this.setSubject(box);
+    const { top, right, bottom, left } = this.#insets;
+    const clear = Math.max(1, this.#height - top - bottom);
+    // The insets shift the middle of the view; what is left of the window has a narrower field of view.
+    const part = clear / this.#height;
+    const fov = (2 * Math.atan(Math.tan((FOV * Math.PI) / 360) * part) * 180) / Math.PI;
+    const framing = frameTree(box, fov, Math.max(1, this.#width - left - right) / clear, azimuth);
+    this.camera.position.copy(framing.position);
+    this.controls.target.copy(framing.target);
+    this.controls.update();
+    return framing;
+  }
+
+  /** The camera still moves by itself: draw again. */
+  get moving(): boolean {
+    return this.#settling > 0;
+  }
+
+  /** Draws. `shadows`: what casts them has moved since the last time. */
+  render(shadows = true): void {
+    const { camera, controls, renderer } = this;
+    if (this.#settling > 0) this.#settling--;
+    // Never below the meadow, however far out: the lowest polar angle depends on the distance.
+    const distance = Math.max(1e-3, camera.position.distanceTo(controls.target));
+    const drop = (controls.target.y - 0.15) / distance;
+    controls.maxPolarAngle = Math.PI / 2 + Math.asin(Math.min(1, Math.max(-1, drop)));
+    controls.update();
+    renderer.shadowMap.needsUpdate ||= shadows;
+    renderer.render(this.scene, camera);
+  }
+
+  dispose(): void {
+    this.controls.dispose();
+    this.sky.dispose();
+    this.ground.dispose();
+    this.meadow.dispose();
+    this.sun.dispose();
+    this.renderer.dispose();
+  }
+
+  #applyInsets(): void {
+    const { top, right, bottom, left } = this.#insets;
+    const { camera } = this;
+    camera.aspect = this.#width / this.#height;
+    if (top || right || bottom || left) {
+      camera.setViewOffset(
+        this.#width,
+        this.#height,
+        (right - left) / 2,
+        (bottom - top) / 2,
+        this.#width,
+        this.#height,
+      );
+    } else {
+      camera.clearViewOffset();
+    }
+    camera.updateProjectionMatrix();
+  }
+}

@@ -1,0 +1,53 @@
+import {
+  DoubleSide,
+  FrontSide,
+  type IUniform,
+  MeshDepthMaterial,
+  MeshDistanceMaterial,
+  MeshStandardMaterial,
+} from 'three';
+import { BRANCH_DEPTH, BRANCH_STANDARD } from './branch-shader.ts';
+import { inject } from './inject.ts';
+import { LEAF_DEPTH, LEAF_STANDARD } from './leaf-shader.ts';
+
+/** A mesh's material with the two that draw it into shadow maps. */
+export interface MaterialSet {
+  readonly standard: MeshStandardMaterial;
+  readonly depth: MeshDepthMaterial;
+  readonly distance: MeshDistanceMaterial;
+}
+
+/** Materials for stems. `defines`: RIBBON, PLAIN_STEM (no flare, lobes, bulges), FLARED (rings crowd towards the ground). */
+export function branchMaterials(defines: readonly string[], uniforms: Record<string, IUniform>): MaterialSet {
+  const key = `windgrove branch ${defines.join(' ')}`;
+  const standard = new MeshStandardMaterial({ metalness: 0, side: FrontSide });
+  const depth = new MeshDepthMaterial();
+  const distance = new MeshDistanceMaterial();
+  // A ribbon turns its front to the light as it does to the eye; three draws back faces into the shadow map.
+  if (defines.includes('RIBBON')) standard.shadowSide = DoubleSide;
+  for (const material of [standard, depth, distance]) {
+    material.defines = { ...material.defines, ...Object.fromEntries(defines.map((name) => [name, ''])) };
+    inject(material, key, material === standard ? BRANCH_STANDARD : BRANCH_DEPTH, uniforms);
+  }
+  return { standard, depth, distance };
+}
+
+/** Materials for leaves. `defines`: LEAF_VEINS. */
+export function leafMaterials(defines: readonly string[], uniforms: Record<string, IUniform>): MaterialSet {
+  const key = `windgrove leaf ${defines.join(' ')}`;
+  const standard = new MeshStandardMaterial({ metalness: 0, side: DoubleSide });
+  const depth = new MeshDepthMaterial({ side: DoubleSide });
+  const distance = new MeshDistanceMaterial({ side: DoubleSide });
+  for (const material of [standard, depth, distance]) {
+    material.defines = { ...material.defines, ...Object.fromEntries(defines.map((name) => [name, ''])) };
+    inject(material, key, material === standard ? LEAF_STANDARD : LEAF_DEPTH, uniforms);
+  }
+  return { standard, depth, distance };
+}
+
+/** Frees the programs of a set. */
+export function disposeMaterials(set: MaterialSet): void {
+  set.standard.dispose();
+  set.depth.dispose();
+  set.distance.dispose();
+}

@@ -1,0 +1,333 @@
+import {
+  type Box3,
+  type Camera,
+  type InstancedBufferGeometry,
+  type LineSegments,
+  Mesh,
+  Object3D,
+  type ShaderMaterial,
+  type Vector4,
+} from 'three';
+import type { PackedTree } from '../core/pack/packed.ts';
+import type { Species } from '../core/species/species.ts';
+import { GRAINS_PER_TILE } from './bark-image.ts';
+import { barkTexture } from './bark-texture.ts';
+import { branchGeometry, bundleFor, leafGeometry } from './branch-geometry.ts';
+import { controlLines, setControlLines } from './control-lines.ts';
+import { type Detail, gridDetail, leafGrain, leafGrowth } from './detail.ts';
+import { sectorsForLobes } from './grid.ts';
+import { levelColour } from './level-colours.ts';
+import { pixelsPerMetre } from './pixel-size.ts';
+import { type LevelExtent, levelExtents, windBox } from './tree-extent.ts';
+import { branchMaterials, disposeMaterials, leafMaterials, type MaterialSet } from './tree-materials.ts';
+import {
+  barkUniforms,
+  type LeafUniforms,
+  type LevelUniforms,
+  leafUniforms,
+  levelUniforms,
+  sharedUniforms,
+} from './uniforms.ts';
+
+/** How a tree is drawn: its surface, its triangles, what the GPU moves, or its stems coloured by level. */
+export type Mode = 'shaded' | 'wireframe' | 'control' | 'levels';
+
+/** What is to be drawn of a tree. */
+export interface Shown {
+  mode: Mode;
+  /** Levels below this one are drawn. */
+  levels: number;
+  leaves: boolean;
+  detail: Detail;
+  leafBudget: number;
+}
+
+type TreeMesh = Mesh<InstancedBufferGeometry>;
+
+interface Level {
+  readonly mesh: TreeMesh;
+  readonly uniforms: LevelUniforms;
+  readonly tube: MaterialSet;
+  ribbon: MaterialSet | null;
+  extent: LevelExtent;
+  start: number;
+  count: number;
+  /** Names the geometry that the mesh has; '' for none. */
+  drawn: string;
+}
+
+/** The part of the deformer's programs that a level needs. */
+const definesOf = (level: number): string[] => (level === 0 ? ['FLARED'] : []);
+
+/**
+ * The meshes of one tree, in tree space (z up).
+ *
+ * It passes for a THREE.LOD, so that three itself asks it, for every camera, how finely to draw; nobody has to remember to.
+ */
+export class TreeParts extends Object3D {
+  readonly isLOD = true;
+  readonly autoUpdate = true;
+  readonly shared = sharedUniforms();
+  readonly bark = barkUniforms();
+  readonly leafLook: LeafUniforms = leafUniforms();
+  readonly shown: Shown;
+  /** Height of the picture in pixels, for the choice of detail. */
+  pictureHeight = 1080;
+  #levels: Level[] = [];
+  #leafMesh: TreeMesh | null = null;
+  #leafMaterials: Partial<Record<'near' | 'far', MaterialSet>> = {};
+  #leafDrawn = '';
+  #lines: LineSegments<InstancedBufferGeometry, ShaderMaterial> | null = null;
+  #tree: PackedTree | null = null;
+  #species: Species | null = null;
+  #box: Box3 | null = null;
+  #shadows = { cast: true, receive: true };
+
+  constructor(shown: Shown) {
+    super();
+    this.shown = shown;
+    this.rotation.x = -Math.PI / 2; // z up to y up
+    this.name = 'tree parts';
+  }
+
+  /** Takes a new tree. Materials and their programs stay; geometry is made anew at the next frame. */
+  setTree(tree: PackedTree, species: Species): void {
+    this.#tree = tree;
+    this.#species = species;
+    this.#box = windBox(tree.bounds);
+    const extents = levelExtents(tree);
+    while (this.#levels.length > tree.levels.length) this.#dropLevel();
+    tree.levels.forEach(({ start, count }, i) => {
+      const level = this.#levels[i] ?? this.#addLevel(i);
+      Object.assign(level, { start, count, extent: extents[i], drawn: '' });
+      this.#setShape(level, i, species);
+    });
+    this.#setLook(tree, species);
+    this.#leafDrawn = '';
+    this.#applyMode();
+  }
+
+  /** Chooses what is drawn for this camera; three calls it while it looks for what is visible. */
+  update(camera: Camera): void {
+    const { shown } = this;
+    const tree = this.#tree;
+    if (!tree || !this.#species || !this.#box) return;
+    const surfaces = shown.mode !== 'control';
+    this.#levels.forEach((level, i) => {
+      level.mesh.visible = surfaces && i < shown.levels && level.count > 0;
+      if (level.mesh.visible) this.#fitLevel(level, i, camera);
+    });
+    const leaves = shown.leaves && surfaces && shown.mode !== 'levels' && tree.leafCount > 0 && shown.leafBudget > 0;
+    if (leaves) this.#fitLeaves(tree, this.#species, camera);
+    if (this.#leafMesh) this.#leafMesh.visible = leaves;
+    this.#fitLines(tree);
+  }
+
+  /** Triangles, draw calls, pieces and leaves of the frame that was drawn last, shadows left out. */
+  stats(): { triangles: number; drawCalls: number; pieces: number; leaves: number } {
+    const drawn = this.#levels.filter(({ mesh }) => mesh.visible);
+    const leaves = this.#leafMesh?.visible ? this.#leafMesh : null;
+    const meshes = [...drawn.map(({ mesh }) => mesh), ...(leaves ? [leaves] : [])];
+    return {
+      triangles: meshes.reduce((sum, { geometry }) => sum + Number(geometry.userData.triangles ?? 0), 0),
+      drawCalls: meshes.length + (this.#lines?.visible ? 1 : 0),
+      pieces: drawn.reduce((sum, { count }) => sum + count, 0),
+      leaves: leaves ? this.leafLook.leafRange.value.x : 0,
+    };
+  }
+
+  setShadows(cast: boolean, receive: boolean): void {
+    this.#shadows = { cast, receive };
+    for (const mesh of this.#meshes()) Object.assign(mesh, { castShadow: cast, receiveShadow: receive });
+  }
+
+  /** Takes `shown.mode` over into the materials. */
+  applyMode(): void {
+    this.#applyMode();
+  }
+
+  override dispose(): void {
+    while (this.#levels.length > 0) this.#dropLevel();
+    this.#leafMesh?.geometry.dispose();
+    for (const set of Object.values(this.#leafMaterials)) disposeMaterials(set);
+    this.#lines?.geometry.dispose();
+    this.#lines?.material.dispose();
+    this.bark.barkMap.value?.dispose();
+    this.clear();
+  }
+
+  #meshes(): TreeMesh[] {
+    return [...this.#levels.map(({ mesh }) => mesh), ...(this.#leafMesh ? [this.#leafMesh] : [])];
+  }
+
+  #addLevel(index: number): Level {
+    const uniforms = levelUniforms();
+    const tube = branchMaterials(definesOf(index), { ...this.shared, ...this.bark, ...uniforms });
+    const mesh = this.#newMesh(`level ${index}`);
+    const level: Level = {
+      mesh,
+      uniforms,
+      tube,
+      ribbon: null,
+      extent: { box: mesh.userData.box, radius: 0 },
+      start: 0,
+      count: 0,
+      drawn: '',
+    };
+    this.#levels.push(level);
+    return level;
+  }
+
+  #newMesh(name: string): TreeMesh {
+    const mesh: TreeMesh = new Mesh();
+    mesh.name = name;
+    mesh.castShadow = this.#shadows.cast;
+    mesh.receiveShadow = this.#shadows.receive;
+    mesh.raycast = () => {}; // the tree as a whole answers a ray
+    this.add(mesh);
+    return mesh;
+  }
+
+  #dropLevel(): void {
+    const level = this.#levels.pop();
+    if (!level) return;
+    this.remove(level.mesh);
+    level.mesh.geometry.dispose();
+    disposeMaterials(level.tube);
+    if (level.ribbon) disposeMaterials(level.ribbon);
+  }
+
+  #setShape({ uniforms }: Level, index: number, species: Species): void {
+    const { tree, levels } = species;
+    const taper = levels[Math.min(index, levels.length - 1)]?.taper ?? 1;
+    const trunk = index === 0;
+    const [a, b] = uniforms.stemShape.value as [Vector4, Vector4];
+    a.set(taper, trunk ? tree.flare : 0, trunk ? tree.lobes : 0, trunk ? tree.lobeDepth : 0);
+    b.set(0, tree.bulges, tree.bulgeDepth, 0.7);
+  }
+
+  #setLook(tree: PackedTree, { bark, foliage, wind }: Species): void {
+    const { shared, leafLook } = this;
+    shared.crownCentre.value.fromArray(tree.crown, 0);
+    shared.crownRadii.value.fromArray(tree.crown, 3);
+    const map = this.bark.barkMap;
+    if (map.value?.name !== `bark ${bark.kind}`) {
+      map.value?.dispose();
+      map.value = barkTexture(bark.kind);
+    }
+    this.bark.barkTile.value = bark.grain * GRAINS_PER_TILE[bark.kind];
+    this.bark.barkColour.value.set(bark.colour);
+    this.bark.barkDark.value.set(bark.dark);
+    this.bark.barkRelief.value = bark.relief;
+    for (const { tube, ribbon } of this.#levels) {
+      tube.standard.roughness = bark.roughness;
+      if (ribbon) ribbon.standard.roughness = bark.roughness;
+    }
+    leafLook.leafColour.value.set(foliage.colour);
+    leafLook.leafUnder.value.set(foliage.under);
+    leafLook.leafGlow.value.set(foliage.glow);
+    leafLook.leafVariation.value = foliage.variation;
+    leafLook.leafFlutter.value.x = (wind.flutter * Math.PI) / 180;
+    for (const set of Object.values(this.#leafMaterials)) set.standard.roughness = foliage.roughness;
+  }
+
+  #fitLevel(level: Level, index: number, camera: Camera): void {
+    const { extent, count, mesh, uniforms } = level;
+    const pixels = extent.radius * pixelsPerMetre(camera, this.matrixWorld, extent.box, this.pictureHeight);
+    const grid = gridDetail(index, pixels, this.shown.detail);
+    const [a] = uniforms.stemShape.value as [Vector4, Vector4];
+    const sectors = sectorsForLobes(grid.sectors, a.z, a.w);
+    // Below 1 the taper leaves the tip open.
+    const spec = { sectors, bands: grid.bands, cap: a.x < 1, bundle: bundleFor(count) };
+    const name = JSON.stringify(spec);
+    if (level.drawn === name) return;
+    mesh.geometry.dispose();
+    mesh.geometry = branchGeometry(spec, count, this.#box as Box3);
+    uniforms.branchRange.value.set(level.start, count, spec.bundle);
+    this.#dress(mesh, spec.sectors === 1 ? this.#ribbonOf(level, index) : level.tube);
+    level.drawn = name;
+  }
+
+  #ribbonOf(level: Level, index: number): MaterialSet {
+    if (!level.ribbon) {
+      const all = { ...this.shared, ...this.bark, ...level.uniforms };
+      level.ribbon = branchMaterials([...definesOf(index), 'RIBBON'], all);
+      level.ribbon.standard.roughness = level.tube.standard.roughness;
+      this.#applyMode();
+    }
+    return level.ribbon;
+  }
+
+  #fitLeaves(tree: PackedTree, species: Species, camera: Camera): void {
+    const { leaves, foliage } = species;
+    const { leafLook, shown } = this;
+    const length = leaves.scale / Math.sqrt(leaves.quality);
+    const count = Math.min(tree.leafCount, shown.leafBudget);
+    const [growX, growY] = leafGrowth(count / tree.leafCount, leaves.scaleX);
+    const pixels = length * growY * pixelsPerMetre(camera, this.matrixWorld, this.#box as Box3, this.pictureHeight);
+    const spec = {
+      shape: foliage.outline ?? leaves.shape,
+      width: leaves.scaleX,
+      petiole: leaves.petiole,
+      grain: leafGrain(pixels, shown.detail),
+    };
+    const name = JSON.stringify([spec, count]);
+    if (this.#leafDrawn === name) return;
+    if (!this.#leafMesh) this.#leafMesh = this.#newMesh('leaves');
+    const mesh = this.#leafMesh;
+    mesh.geometry.dispose();
+    mesh.geometry = leafGeometry(spec, count, this.#box as Box3);
+    leafLook.leafRange.value.set(count, bundleFor(count));
+    leafLook.leafGrow.value.set(growX, growY);
+    this.#dress(mesh, this.#leafSet(spec.grain === 'near' ? 'near' : 'far', foliage.roughness));
+    this.#leafDrawn = name;
+  }
+
+  #leafSet(kind: 'near' | 'far', roughness: number): MaterialSet {
+    let set = this.#leafMaterials[kind];
+    if (!set) {
+      set = leafMaterials(kind === 'near' ? ['LEAF_VEINS'] : [], { ...this.shared, ...this.leafLook });
+      set.standard.roughness = roughness;
+      this.#leafMaterials[kind] = set;
+      this.#applyMode();
+    }
+    return set;
+  }
+
+  #dress(mesh: TreeMesh, set: MaterialSet): void {
+    mesh.material = set.standard;
+    mesh.customDepthMaterial = set.depth;
+    mesh.customDistanceMaterial = set.distance;
+  }
+
+  #fitLines(tree: PackedTree): void {
+    const wanted = this.shown.mode === 'control';
+    if (this.#lines) this.#lines.visible = wanted;
+    if (!wanted) return;
+    if (!this.#lines) {
+      this.#lines = controlLines(this.shared);
+      this.#lines.raycast = () => {};
+      this.add(this.#lines);
+    }
+    const ends = tree.levels.map(({ start, count }) => start + count);
+    const levels = Math.min(this.shown.levels, ends.length);
+    setControlLines(this.#lines, levels > 0 ? (ends[levels - 1] as number) : 0, ends, this.#box as Box3);
+  }
+
+  #applyMode(): void {
+    const { mode } = this.shown;
+    this.#levels.forEach(({ tube, ribbon, uniforms }, i) => {
+      for (const set of [tube, ribbon]) if (set) set.standard.wireframe = mode === 'wireframe';
+      const tint = colourOf(i);
+      uniforms.levelTint.value.set(tint[0], tint[1], tint[2], mode === 'levels' ? 1 : 0);
+    });
+    for (const set of Object.values(this.#leafMaterials)) set.standard.wireframe = mode === 'wireframe';
+  }
+}
+
+import { Color } from 'three';
+
+function colourOf(level: number): [number, number, number] {
+  const { r, g, b } = new Color(levelColour(level));
+  return [r, g, b];
+}

@@ -1,0 +1,57 @@
+import { Color, type DataArrayTexture, type DataTexture, type Texture, Vector2, Vector3, Vector4 } from 'three';
+
+/** The uniforms that all materials of one tree share; the objects live as long as the WindTree, their values change. */
+export function sharedUniforms() {
+  return {
+    poseEven: { value: [] as Texture[] },
+    poseOdd: { value: [] as Texture[] },
+    poseLog2Width: { value: 0 },
+    branches: { value: null as DataArrayTexture | null },
+    branchLog2Width: { value: 0 },
+    leaves: { value: null as DataArrayTexture | null },
+    leafLog2Width: { value: 0 },
+    paperForms: { value: 0 },
+    crownCentre: { value: new Vector3() },
+    crownRadii: { value: new Vector3(1, 1, 1) },
+  };
+}
+
+/** The uniforms of the bark. */
+export function barkUniforms() {
+  return {
+    barkMap: { value: null as DataTexture | null },
+    barkTile: { value: 1 },
+    barkColour: { value: new Color() },
+    barkDark: { value: new Color() },
+    barkRelief: { value: 0 },
+  };
+}
+
+/** The uniforms of one level of stems. */
+export function levelUniforms() {
+  return {
+    branchRange: { value: new Vector3() },
+    stemShape: { value: [new Vector4(), new Vector4()] },
+    levelTint: { value: new Vector4(0, 0, 0, 0) },
+  };
+}
+
+/** The uniforms of the leaves. */
+export function leafUniforms() {
+  return {
+    leafRange: { value: new Vector2() },
+    leafGrow: { value: new Vector2(1, 1) },
+    leafFlutter: { value: new Vector2() },
+    crownRounding: { value: 0.5 },
+    leafColour: { value: new Color() },
+    leafUnder: { value: new Color() },
+    leafGlow: { value: new Color() },
+    leafVariation: { value: 0 },
+    levelTint: { value: new Vector4(0, 0, 0, 0) },
+  };
+}
+
+export type SharedUniforms = ReturnType<typeof sharedUniforms>;
+export type BarkUniforms = ReturnType<typeof barkUniforms>;
+export type LevelUniforms = ReturnType<typeof levelUniforms>;
+export type LeafUniforms = ReturnType<typeof leafUniforms>;

@@ -1,0 +1,4 @@
+import { expose } from 'comlink';
+import { growService } from './service.ts';
+
+expose(growService);

@@ -1,0 +1,24 @@
+import { expect, it } from 'vitest';
+import { BRANCH_LAYERS, LEAF_LAYERS, PIECE_LAYERS, POSE_TARGETS } from '../../../src/core/pack/layout.ts';
+import { layoutGlsl } from '../../../src/core/pack/layout-glsl.ts';
+
+it('states every layer of the tables as a GLSL constant', () => {
+  const glsl = layoutGlsl();
+  const stated = [...glsl.matchAll(/const int (\w+) = (\d+);/g)].map(([, name, value]) => [name, Number(value)]);
+  expect(Object.fromEntries(stated)).toMatchObject({
+    PIECE_ATTACH: PIECE_LAYERS.ATTACH,
+    PIECE_TIP: PIECE_LAYERS.TIP,
+    BRANCH_SPAN: BRANCH_LAYERS.SPAN,
+    BRANCH_STEM: BRANCH_LAYERS.STEM,
+    LEAF_ORIENT: LEAF_LAYERS.ORIENT,
+    POSE_P3: POSE_TARGETS.P3,
+  });
+  expect(stated).toHaveLength(5 + 2 + 2 + 4);
+  expect(glsl).toContain('ivec3 texelAt(int index, int log2Width, int layer)');
+});
+
+it('numbers the layers of each table from 0 without a gap', () => {
+  for (const table of [PIECE_LAYERS, BRANCH_LAYERS, LEAF_LAYERS, POSE_TARGETS]) {
+    expect(Object.values(table)).toEqual(Object.keys(table).map((_, i) => i));
+  }
+});

@@ -1,0 +1,225 @@
+import { MessageChannel } from 'node:worker_threads';
+import { expose } from 'comlink';
+import { afterEach, describe, expect, it } from 'vitest';
+import { growPacked } from '../../src/core/pack/grow-packed.ts';
+import { hashPacked } from '../../src/core/pack/hash-packed.ts';
+import { GrowAborted, GrowClient, isAborted, type WorkerLike } from '../../src/worker/client.ts';
+import { liveGrower } from '../../src/worker/live-grower.ts';
+import type { GrownTree, GrowRequest, GrowService } from '../../src/worker/protocol.ts';
+import { growService } from '../../src/worker/service.ts';
+import { anySpecies } from '../core/pieces/hand-made-tree.ts';
+
+/** The worker's service behind a channel in this thread: messages are cloned and transferred as between threads. */
+class FakeWorker implements WorkerLike {
+  terminated = false;
+  private readonly channel = new MessageChannel();
+  private readonly near = this.channel.port1 as unknown as MessagePort;
+  private readonly listeners: ((event: Event) => void)[] = [];
+
+  constructor(service: object) {
+    expose(service, this.channel.port2 as unknown as MessagePort);
+    this.near.start();
+  }
+
+  postMessage(message: unknown, transfer: unknown = []): void {
+    this.near.postMessage(message, transfer as Transferable[]);
+  }
+  addEventListener(type: string, listener: unknown): void {
+    if (type === 'error') this.listeners.push(listener as (event: Event) => void);
+    else this.near.addEventListener(type, listener as EventListener);
+  }
+  removeEventListener(type: string, listener: unknown): void {
+    this.near.removeEventListener(type, listener as EventListener);
+  }
+  terminate(): void {
+    this.terminated = true;
+    this.near.close();
+  }
+  fail(message: string): void {
+    for (const listener of this.listeners) listener(Object.assign(new Event('error'), { message }));
+  }
+}
+
+/** A service whose runs end when the test says so. */
+class SlowService {
+  readonly asked: GrowRequest[] = [];
+  private readonly ends: ((tree: unknown) => void)[] = [];
+  grow(request: GrowRequest): Promise<unknown> {
+    this.asked.push(request);
+    this.heard?.();
+    return new Promise((resolve) => this.ends.push(resolve));
+  }
+  /** Resolves when the next request arrives. */
+  request(): Promise<void> {
+    return new Promise((resolve) => {
+      this.heard = resolve;
+    });
+  }
+  private heard: (() => void) | undefined;
+  end(run: number): void {
+    this.ends[run]({ stats: { seed: this.asked[run].seed } });
+  }
+}
+
+const clients: GrowClient[] = [];
+const workers: FakeWorker[] = [];
+
+function clientOf(service: GrowService | SlowService, patience?: number): GrowClient {
+  const client = new GrowClient(() => {
+    const worker = new FakeWorker(service);
+    workers.push(worker);
+    return worker;
+  }, patience);
+  clients.push(client);
+  return client;
+}
+
+afterEach(() => {
+  for (const client of clients.splice(0)) client.dispose();
+  workers.splice(0);
+});
+
+const outcome = (promise: Promise<unknown>): Promise<unknown> => promise.catch((error) => error);
+
+describe('GrowClient with the real service', () => {
+  it('brings the same tree over as growing here, with stages told in order', async () => {
+    const stages: string[] = [];
+    const client = clientOf(growService);
+    const grown = await client.grow(anySpecies, 5, {
+      onProgress: ({ stage, done }) => stages.push(`${stage} ${done}`),
+    });
+    const here = growPacked(anySpecies, 5);
+    expect(hashPacked(grown.packed)).toBe(hashPacked(here.packed));
+    expect({ ...grown.stats, milliseconds: 0 }).toEqual(here.stats);
+    expect(grown.milliseconds.grow).toBeGreaterThan(0);
+    const order = stages.map((s) => ['grow', 'fit', 'pack'].indexOf(s.split(' ')[0]));
+    expect(order).toEqual([...order].sort());
+    expect(stages).toContain('fit 0');
+  });
+
+  it('grows fewer levels and no leaves where it is told so', async () => {
+    const client = clientOf(growService);
+    const bare = await client.grow(anySpecies, 5, { leaves: false });
+    expect(bare.packed.leafCount).toBe(0);
+    const trunk = await client.grow(anySpecies, 5, { levels: 1 });
+    expect(trunk.packed.levels).toHaveLength(1);
+  });
+
+  it("carries the species' error over and goes on", async () => {
+    const client = clientOf(growService);
+    const error = await outcome(client.grow(anySpecies, 5, { budget: { leaves: 10 } }));
+    expect(error).toMatchObject({ name: 'GrowthBudgetError', message: expect.stringContaining('leaves') });
+    expect((await client.grow(anySpecies, 5)).packed.leafCount).toBeGreaterThan(1000);
+    expect(workers).toHaveLength(1);
+  });
+});
+
+describe('GrowClient with a slow service', () => {
+  it('lets the latest request win, and keeps a worker that ends in time', async () => {
+    const service = new SlowService();
+    const client = clientOf(service, 1e6);
+    const first = outcome(client.grow(anySpecies, 1));
+    await service.request();
+    const second = outcome(client.grow(anySpecies, 2));
+    const third = client.grow(anySpecies, 3);
+    expect(await first).toMatchObject({ name: 'GrowAborted', reason: 'superseded' });
+    expect(await second).toMatchObject({ name: 'GrowAborted', reason: 'superseded' });
+    expect(service.asked).toHaveLength(1);
+    const heard = service.request();
+    service.end(0);
+    await heard;
+    service.end(1);
+    expect((await third).stats.seed).toBe(3);
+    // The second was never asked of the worker.
+    expect(service.asked.map((r) => r.seed)).toEqual([1, 3]);
+    expect(workers).toHaveLength(1);
+  });
+
+  it('terminates a worker that does not end in time and starts a fresh one', async () => {
+    const service = new SlowService();
+    const client = clientOf(service, 0);
+    const first = outcome(client.grow(anySpecies, 1));
+    await service.request();
+    const heard = service.request();
+    const second = client.grow(anySpecies, 2);
+    expect(await first).toBeInstanceOf(GrowAborted);
+    await heard;
+    service.end(1);
+    expect((await second).stats.seed).toBe(2);
+    expect(workers.map((w) => w.terminated)).toEqual([true, false]);
+  });
+
+  it('cancels, by call and by signal', async () => {
+    const service = new SlowService();
+    const client = clientOf(service, 1e6);
+    const called = outcome(client.grow(anySpecies, 1));
+    client.cancel();
+    expect(await called).toMatchObject({ reason: 'cancelled', message: expect.stringContaining('cancelled') });
+    const control = new AbortController();
+    const signalled = outcome(client.grow(anySpecies, 2, { signal: control.signal }));
+    control.abort();
+    expect(isAborted(await signalled)).toBe(true);
+    expect(await outcome(client.grow(anySpecies, 3, { signal: control.signal }))).toMatchObject({
+      reason: 'cancelled',
+    });
+  });
+
+  it('says so when the worker breaks, and tries a new one next time', async () => {
+    const service = new SlowService();
+    const client = clientOf(service);
+    const lost = outcome(client.grow(anySpecies, 1));
+    await service.request();
+    workers[0].fail('no such file');
+    expect(await lost).toMatchObject({ message: 'The worker that grows trees stopped: no such file' });
+    const heard = service.request();
+    const next = client.grow(anySpecies, 2);
+    await heard;
+    service.end(1);
+    expect((await next).stats.seed).toBe(2);
+    expect(workers).toHaveLength(2);
+  });
+});
+
+describe('liveGrower', () => {
+  it('grows one at a time, leaves out what came in between and ends with the newest', async () => {
+    const ends: (() => void)[] = [];
+    const shown: number[] = [];
+    const failed: number[] = [];
+    let tell: () => void = () => undefined;
+    const answered = (run: number): Promise<void> =>
+      new Promise((resolve) => {
+        tell = resolve;
+        ends[run]();
+      });
+    const ask = liveGrower<number>(
+      (seed) =>
+        new Promise((resolve, reject) =>
+          ends.push(() =>
+            seed === 4 ? reject(new Error('four')) : resolve({ stats: { seed } } as unknown as GrownTree),
+          ),
+        ),
+      (tree) => {
+        shown.push(tree.stats.seed);
+        tell();
+      },
+      (error, seed) => {
+        expect(error).toMatchObject({ message: 'four' });
+        failed.push(seed);
+        tell();
+      },
+    );
+    for (const seed of [1, 2, 3]) ask(seed);
+    expect(ends).toHaveLength(1);
+    await answered(0);
+    expect(shown).toEqual([1]);
+    ask(4);
+    await answered(1);
+    expect(shown).toEqual([1, 3]);
+    await answered(2);
+    expect(failed).toEqual([4]);
+    expect(ends).toHaveLength(3);
+    ask(5);
+    await answered(3);
+    expect(shown).toEqual([1, 3, 5]);
+  });
+});

@@ -1,0 +1,15 @@
+import glsl from 'vite-plugin-glsl';
+import { defineConfig } from 'vitest/config';
+
+// Apart from vite.config.ts: tests need the shaders as text, not the pages or the build.
+export default defineConfig({
+  plugins: [glsl({ root: '/shaders/' })],
+  test: {
+    environment: 'node',
+    include: ['tests/**/*.test.ts'],
+    // Long enough for the slowest tree on a busy machine of two cores; a test that needs longer is too large.
+    testTimeout: 60_000,
+    hookTimeout: 60_000,
+    retry: 0,
+  },
+});
