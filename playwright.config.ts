@@ -1,4 +1,5 @@
 import { createServer } from 'node:net';
+import { join } from 'node:path';
 import { defineConfig } from '@playwright/test';
 import { browserArgs, findBrowser } from './e2e/browser.mjs';
 
@@ -19,10 +20,13 @@ process.env.WINDGROVE_BROWSER ??= (await findBrowser()).executablePath;
 const given = process.env.WINDGROVE_URL;
 if (!given) process.env.WINDGROVE_TEST_PORT ??= String(await freePort());
 const port = process.env.WINDGROVE_TEST_PORT;
+/** Two runs at a time do not build over each other; e2e/clean-up.ts removes it. */
+if (!given) process.env.WINDGROVE_TEST_BUILD ??= join(import.meta.dirname, `node_modules/.cache/tested-build-${port}`);
 
 export default defineConfig({
   testDir: 'e2e',
   testMatch: '**/*.spec.ts',
+  globalTeardown: './e2e/clean-up.ts',
   outputDir: 'test-results',
   // Software GL spreads over both cores: a second worker would only make every picture slower.
   workers: 1,

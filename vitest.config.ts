@@ -3,7 +3,7 @@ import { defineConfig } from 'vitest/config';
 
 // Apart from vite.config.ts: tests need the shaders as text, not the pages or the build.
 export default defineConfig({
-  plugins: [glsl({ root: '/shaders/' })],
+  plugins: [glsl({ root: '/shaders/', warnDuplicatedImports: false })],
   test: {
     environment: 'node',
     include: ['tests/**/*.test.ts'],

@@ -40,10 +40,15 @@ export async function ezTree(preset: string, height: number): Promise<Contestant
 }
 
 /** A shipped species of ours, grown in the worker, in its default wind. */
-export async function windgroveTree(name: string, seed: number, renderer: WebGLRenderer): Promise<Contestant> {
+export async function windgroveTree(
+  name: string,
+  seed: number,
+  renderer: WebGLRenderer,
+  leafBudget?: number,
+): Promise<Contestant> {
   const species = (await (await fetch(`/species/${name}.json`)).json()) as Species;
   const { packed } = await growInWorker(species, seed);
-  const tree = new WindTree();
+  const tree = new WindTree(leafBudget === undefined ? {} : { leafBudget });
   tree.setTree(packed, species);
   tree.setWind(presets[DEFAULT_WIND]!);
   tree.setShadows(true, true);

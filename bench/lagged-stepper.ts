@@ -30,10 +30,9 @@ export class LaggedStepper {
         log2Width: { value: Math.log2(tree.pieces.width) },
         windWaves: { value: this.#wind.waves },
         windPhases: { value: this.#wind.phases },
-        windCount: { value: 4 },
         windExponents: { value: [1, 1] },
       },
-      defines,
+      { WIND_WAVES: 4, ...defines },
     );
   }
 
@@ -41,7 +40,7 @@ export class LaggedStepper {
     const step = ++this.#step;
     const targets = this.#textures.pose.targets!;
     source.fill(step * STEP, this.#wind);
-    this.#material.uniforms.windCount.value = this.#wind.count;
+    this.#wind.waves.fill(0, 4 * this.#wind.count);
     this.#parent.value = targets[step & 1].textures;
     this.#state.begin(renderer);
     this.#draw.draw(renderer, targets[1 - (step & 1)], this.#material, 0);

@@ -18,6 +18,7 @@ const results = join(import.meta.dirname, 'results.md');
 const benches: readonly { name: string; file: string; query?: string }[] = [
   { name: 'grow', file: 'grow.ts' },
   { name: 'pack', file: 'pack.ts' },
+  { name: 'order', file: 'order.html' },
   { name: 'wind', file: 'wind.html' },
   { name: 'deform', file: 'deform.html' },
   { name: 'compare', file: 'compare-ez-tree.html', query: '?measure' },
@@ -79,7 +80,11 @@ if (unknown.length > 0) throw new Error(`No bench named ${unknown.join(', ')}; t
 
 const found = await findBrowser();
 const browser = await chromium.launch({ executablePath: found.executablePath, args: browserArgs });
-const server = await createServer({ root, logLevel: 'warn', server: { host: '127.0.0.1', open: false } });
+const server = await createServer({
+  root,
+  logLevel: 'warn',
+  server: { host: '127.0.0.1', open: false, hmr: false, watch: null },
+});
 await server.listen();
 const { port } = server.httpServer!.address() as { port: number };
 

@@ -7,7 +7,7 @@ interface Picture {
 }
 
 const [species = 'quaking-aspen', seed = '1'] = process.argv.slice(2);
-const size = { width: 640, height: 640 };
+const size = { width: 520, height: 600 };
 const framesASecond = 12;
 
 await withPage(size, async (page, address) => {

@@ -28,15 +28,15 @@ const wave = (
   phase,
 });
 
-/** Between a breeze and a fresh breeze, as the presets have it. */
+/** About a gale, so that a picture of a few seconds shows what moves. */
 const wind: Wind = {
   name: 'picture',
   strength: 1,
   waves: [
-    wave(0.085, 15, 40, 1, 2.4, 0),
-    wave(0.04, -22, 17, 2, 1.9, 0.37),
-    wave(0.022, 46, 9, 3, 1.7, 0.71),
-    wave(0.014, -57, 7, 4, 1.5, 0.18),
+    wave(0.19, 15, 48, 1, 2.2, 0),
+    wave(0.085, -20, 19, 2, 1.8, 0.37),
+    wave(0.045, 42, 10, 3, 1.6, 0.71),
+    wave(0.027, -52, 7, 4, 1.5, 0.18),
   ],
   model: 'direct',
   pose: 'exact',
@@ -62,7 +62,10 @@ tree.setTree(packed, species);
 tree.setWind(wind);
 tree.setShadows(true, true);
 stage.scene.add(tree);
-stage.frame(uprightBox(packed.bounds));
+const { target } = stage.frame(uprightBox(packed.bounds));
+// Closer than the whole of it: the crown fills the picture.
+stage.controls.target.copy(target).y *= 1.12;
+stage.camera.position.lerp(stage.controls.target, 0.22);
 
 const show = (time: number): void => {
   tree.update(stage.renderer, time);

@@ -16,7 +16,7 @@ export async function withPage(
   const server = await createServer({
     root: join(docs, '..'),
     logLevel: 'warn',
-    server: { host: '127.0.0.1', open: false },
+    server: { host: '127.0.0.1', open: false, hmr: false, watch: null },
   });
   await server.listen();
   const { port } = server.httpServer!.address() as { port: number };

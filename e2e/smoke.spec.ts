@@ -1,4 +1,5 @@
 import { expect, type Page, test } from '@playwright/test';
+import { difference, open, picture } from './editor-page.ts';
 
 /** What a page said that no page should say: errors of its scripts, of its console, of its requests. */
 function complaintsOf(page: Page): string[] {
@@ -14,6 +15,9 @@ function complaintsOf(page: Page): string[] {
   return complaints;
 }
 
+// The whole aspen in the wind, drawn in software: a small window is enough to see that it is there.
+test.use({ viewport: { width: 480, height: 360 } });
+
 test('the browser has WebGL2 and draws with the software renderer that golden pictures are made with', async ({
   page,
 }) => {
@@ -24,6 +28,14 @@ test('the browser has WebGL2 and draws with the software renderer that golden pi
     return gl && names ? String(gl.getParameter(names.UNMASKED_RENDERER_WEBGL)) : 'none';
   });
   expect(renderer).toContain('SwiftShader');
+});
+
+test('a newcomer, with no link, gets a picture of a tree', async ({ page }) => {
+  await open(page, '');
+  await expect(page.locator('canvas').first()).toBeVisible();
+  const drawn = await picture(page);
+  const { colours } = await difference(page, drawn, drawn);
+  expect(colours).toBeGreaterThan(1000);
 });
 
 for (const [name, path] of [

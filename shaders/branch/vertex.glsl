@@ -1,6 +1,7 @@
 // Bends one unit grid along a piece (Skjermo 2006, section 3): read by the standard, depth and distance materials alike.
 // position: cos theta | sin theta | v along the piece. normal: theta in turns | copy within the bundle | -.
 #include /branch/read-pose.glsl
+#include /branch/section.glsl
 #include /branch/radius.glsl
 #include /branch/surface.glsl
 #include /branch/collar.glsl
@@ -44,8 +45,10 @@ BranchVertex branchVertex() {
 #endif
   float z = span.y + part * v;
 #ifdef PLAIN_STEM
-  vec2 profile = taperRadius(z, stemShape[0].x, span.w, stem.x);
-  vec3 rho = vec3(profile, 0.0);
+  // A taper of at most 1 is a cone, also by taperRadius, as long as a stem is longer than thick.
+  float taper = stemShape[0].x;
+  vec3 rho = vec3(span.w * (1.0 - taper * z), -span.w * taper, 0.0);
+  if (taper > 1.0) rho.xy = taperRadius(z, taper, span.w, stem.x);
 #else
   Shape shape = Shape(
     stemShape[0].x, stemShape[0].y, stemShape[0].z, stemShape[0].w, stemShape[1].x, stemShape[1].y, stemShape[1].z
@@ -57,35 +60,49 @@ BranchVertex branchVertex() {
   rho.y = rho.y * swell.x + rho.x * swell.y * stem.x;
   rho.x *= swell.x;
   float slope = rho.y * part;
-  Handles handles = handlesOf(pose.curve, pose.across);
 #ifdef RIBBON
   // Two columns that face the eye: seen from afar a thin branch needs no more (Malheiros & Walter 2011, section 3.2).
-  mat3 frame = sectionFrame(pose.curve, handles, v);
-  vec3 centre = bezierPoint(pose.curve, v);
-  vec4 seen = modelViewMatrix * vec4(centre, 1.0);
+  Section section = sectionAt(pose, v);
+  vec4 seen = modelViewMatrix * vec4(section.centre, 1.0);
   vec3 toEye = projectionMatrix[2][3] == 0.0 ? vec3(0.0, 0.0, 1.0) : -seen.xyz;
   vec3 eye = normalize(toEye * mat3(modelViewMatrix));
-  vec3 side = unitOr(cross(frame[0], eye), frame[1]);
-  vec3 facing = cross(side, frame[0]);
-  vec3 across_ = side * position.x;
+  vec3 side = unitOr(cross(section.along, eye), section.t);
+  vec3 facing = cross(side, section.along);
+  vec3 outward = side * position.x;
   result.surface = SurfacePoint(
-    centre + across_ * rho.x,
+    section.centre + outward * rho.x,
     // 70 degrees to either side: interpolation then shades it as a cylinder without a vanishing normal (erratum E61).
-    0.342 * facing + 0.94 * across_,
+    0.342 * facing + 0.94 * outward,
     side,
-    frame[0]
+    section.along
   );
 #else
   // The centre of a cap: its columns meet on the axis, and look along it.
   float rim = position.x == 0.0 && position.y == 0.0 ? 0.0 : 1.0;
   if (paperForms > 0.5) {
-    result.surface = paperSurfacePoint(
-      pose.curve, projectedHandlesOf(pose.curve, pose.across), v, position.x, position.y, rho.x * rim, slope, rho.z
-    );
+    Handles handles = projectedHandlesOf(pose.curve, pose.across);
+    result.surface = paperSurfacePoint(pose.curve, handles, v, position.x, position.y, rho.x * rim, slope, rho.z);
+    if (rim == 0.0) result.surface.normal = tangentAt(pose.curve, handles, v);
   } else {
-    result.surface = surfacePoint(pose.curve, handles, v, position.x, position.y, rho.x * rim, slope, rho.z);
+    // surfacePoint of branch/surface.glsl, from the section (equations.md 3.2).
+    Section section = sectionAt(pose, v);
+    vec3 radial = position.y * section.s + position.x * section.t;
+    vec3 turn = position.x * section.s - position.y * section.t;
+    float g = max(section.speed - rho.x * dot(section.second, radial) / section.speed, 0.01 * section.speed);
+#ifdef PLAIN_STEM
+    vec3 around = turn;
+    vec3 n = g * radial - slope * section.along;
+#else
+    vec3 around = unitOr(turn + rho.z * radial, turn);
+    vec3 n = g * radial - slope * section.along - g * rho.z * turn;
+#endif
+    result.surface = SurfacePoint(
+      section.centre + rho.x * rim * radial,
+      rim == 0.0 ? section.along : unitOr(n, radial),
+      around,
+      unitOr(g * section.along + slope * radial, section.along)
+    );
   }
-  if (rim == 0.0) result.surface.normal = tangentAt(pose.curve, handles, v);
 #endif
   result.along = along;
   result.radius = rho.x;

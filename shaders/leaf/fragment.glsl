@@ -14,7 +14,7 @@ vec3 leafDiffuse(bool front) {
   float value = 1.0 + leafVariation * (fract(own * 7.31) - 0.5) * 1.1;
   // Some leaves are younger and yellower, few are old and dull.
   float young = leafVariation * fract(own * 13.7);
-  vec3 face = front ? leafColour : mix(leafColour, leafUnder, 0.55);
+  vec3 face = front ? leafColour : mix(leafColour, leafUnder, 0.35);
   vec3 c = mix(face, leafGlow, young * 0.8) * value;
 #ifdef LEAF_VEINS
   float rib = smoothstep(0.07, 0.0, vLeaf.z);
@@ -23,6 +23,6 @@ vec3 leafDiffuse(bool front) {
   c *= 1.0 - 0.10 * vein;
   c = mix(c, c * 1.35 + 0.02, max(rib, 0.35 * vein));
 #endif
-  leafThrough = mix(leafGlow, c, 0.25) * value;
+  leafThrough = mix(leafGlow, leafColour * 1.6, 0.5) * value;
   return mix(c, levelTint.rgb, levelTint.a);
 }

@@ -1,7 +1,6 @@
 // Places one leaf on its piece and lets it tremble. Read by the standard, depth and distance materials alike.
 // position, normal: the unit leaf. blade: distance from the midrib | along the blade | copy within the bundle | petiole.
-#include /branch/read-pose.glsl
-#include /lib/frames.glsl
+#include /branch/section.glsl
 #include /lib/hash.glsl
 #include /lib/quaternion.glsl
 #include /lib/trig.glsl
@@ -24,17 +23,11 @@ struct LeafVertex {
   float own;
 };
 
-// Turns a about the axis k (0 x, 1 z), angle in turns.
-vec3 turnAboutX(vec3 a, float turns) {
-  float c = cosTurns(turns);
-  float s = sinTurns(turns);
-  return vec3(a.x, c * a.y - s * a.z, s * a.y + c * a.z);
-}
-
-vec3 turnAboutZ(vec3 a, float turns) {
-  float c = cosTurns(turns);
-  float s = sinTurns(turns);
-  return vec3(c * a.x - s * a.y, s * a.x + c * a.y, a.z);
+// a turned about z, then about x, by angles given by their sines, within a right angle.
+vec3 swung(vec3 a, vec2 sines, vec2 cosines) {
+  a.xy = vec2(cosines.x * a.x - sines.x * a.y, sines.x * a.x + cosines.x * a.y);
+  a.yz = vec2(cosines.y * a.y - sines.y * a.z, sines.y * a.y + cosines.y * a.z);
+  return a;
 }
 
 LeafVertex leafVertex() {
@@ -46,22 +39,22 @@ LeafVertex leafVertex() {
   Pose pose = readPose(int(at.x), at.w >= 1.0);
   float phase = fract(at.w);
   float own = hashUnit(hashPcg(uint(phase * 16777216.0)));
-  mat3 frame = sectionFrame(pose.curve, handlesOf(pose.curve, pose.across), at.y);
+  Section section = sectionAt(pose, at.y);
+  mat3 frame = mat3(section.along, section.t, section.s);
   vec3 p = position * vec3(leafGrow.x, leafGrow.y, leafGrow.y);
   vec3 n = normal;
   // The bend of the branch tells how hard it blows here. Each leaf beats whole multiples of a sixteenth of the common rate,
   // so that time may wrap without a jump and no two neighbours stay in step.
   float beat = floor(11.0 + 11.0 * own);
   float force = clamp(pose.bend * 2.2, 0.0, 1.0);
-  float swing = leafFlutter.x * force * 0.1591549;
+  float swing = leafFlutter.x * force;
   float shake = sinTurns(beat * leafFlutter.y + phase) + 0.5 * sinTurns((beat + 6.0) * leafFlutter.y + 2.0 * phase);
   float nod = sinTurns((beat - 4.0) * leafFlutter.y + 3.0 * phase) - 0.4;
-  float twist = swing * 0.75 * shake;
-  float pitch = swing * 0.4 * nod;
-  p = turnAboutX(turnAboutZ(p, twist), pitch);
-  n = turnAboutX(turnAboutZ(n, twist), pitch);
-  vec3 centre = bezierPoint(pose.curve, at.y);
+  vec2 sines = clamp(swing * vec2(0.75 * shake, 0.4 * nod), -0.95, 0.95);
+  vec2 cosines = sqrt(1.0 - sines * sines);
+  p = swung(p, sines, cosines);
+  n = swung(n, sines, cosines);
   return LeafVertex(
-    centre + frame * rotateByQuaternion(turn, p * at.z), frame * rotateByQuaternion(turn, n), own
+    section.centre + frame * rotateByQuaternion(turn, p * at.z), frame * rotateByQuaternion(turn, n), own
   );
 }

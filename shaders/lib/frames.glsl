@@ -14,7 +14,7 @@ struct Handles {
   vec3 t2;
 };
 
-// The vector of length 1 along a, or `fallback` where a is shorter than 1e-12.
+// The vector of length 1 along a, or `fallback` where a is shorter than 1e-12. Twin: src/core/math/vec3.ts (unit)
 vec3 unitOr(vec3 a, vec3 fallback) {
   float n = length(a);
   return n < 1e-12 ? fallback : a / n;

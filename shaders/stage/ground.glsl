@@ -14,7 +14,9 @@ vec3 groundDiffuse() {
   vec4 broad = texture(grassMap, p * 0.061 + 0.37);
   vec4 fine = texture(grassMap, p * 0.43);
   float r = length(p);
-  vec3 c = mix(grassDark, grassLight, clamp(0.25 + 0.9 * (fine.r - 0.35) + 0.55 * (broad.g - 0.5), 0.0, 1.0));
+  vec4 wide = texture(grassMap, p.yx * 0.0131 + 0.11);
+  float tone = 0.45 + 1.1 * (fine.r - 0.5) + 0.7 * (broad.g - 0.5) + 0.75 * (wide.b - 0.5);
+  vec3 c = mix(grassDark, grassLight, clamp(tone, 0.0, 1.0));
   // Little grows in the shade of the trunk.
   float bare = smoothstep(groundReach.z * 5.0, groundReach.z * 1.6, r + (broad.r - 0.5) * groundReach.z * 3.0);
   float patchy = smoothstep(0.62, 0.8, broad.b) * 0.35;

@@ -48,7 +48,8 @@ Bent bendStep(Cubic c, vec3 beta, vec2 w) {
   vec3 e3 = c.p3 - c.p2;
   vec3 f3 = turnEdge(e3, beta * w.y);
   vec3 p2 = c.p1 + turnEdge(c.p2 - c.p1, beta * w.x);
-  return Bent(Cubic(c.p0, c.p1, p2, p2 + f3), turnAngle(e3, f3));
+  float l3 = length(e3); // and that of f3
+  return Bent(Cubic(c.p0, c.p1, p2, p2 + f3), l3 > 0.0 ? angleOfChord(distance(e3, f3) / l3) : 0.0);
 }
 
 // The step as printed, made consistent by the length that the print divides away: the branch stretches with the wind; for

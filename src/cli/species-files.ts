@@ -40,7 +40,8 @@ export function findSpecies(nameOrFile: string): Species {
   const names = shippedNames();
   const shipped = names.includes(nameOrFile.toLowerCase()) && !existsSync(nameOrFile);
   if (!shipped && !existsSync(nameOrFile) && !/[./\\]/.test(nameOrFile)) {
-    const near = nearest(nameOrFile, names);
+    const alike = names.filter((name) => name.includes(nameOrFile.toLowerCase()));
+    const near = alike.length === 1 ? alike[0] : nearest(nameOrFile, names);
     throw new Failure(
       `There is no shipped species and no file "${nameOrFile}".${near ? ` Did you mean ${near}?` : ''} Shipped: ${names.join(', ')}.`,
     );

@@ -1,21 +1,13 @@
 import { GrowthBudgetError } from '../core/grow/budget.ts';
-import { grow } from '../core/grow/grow.ts';
 import type { TreeStats } from '../core/grow/stats.ts';
-import { treeStats } from '../core/grow/stats.ts';
-import { packTree } from '../core/pack/pack.ts';
-import { attachLeaves } from '../core/pieces/attach-leaves.ts';
-import { fitPieces } from '../core/pieces/fit-pieces.ts';
+import { growPacked } from '../core/pack/grow-packed.ts';
 import type { Species } from '../core/species/species.ts';
 import { Failure } from './failure.ts';
 
 /** Grows, fits and packs a tree, as the browser does, and counts it. */
 export function measure(species: Species, seed: number): TreeStats {
-  const begin = performance.now();
   try {
-    const tree = grow(species, seed);
-    const pieces = fitPieces(tree);
-    const packed = packTree(tree, pieces, attachLeaves(tree, pieces));
-    return treeStats(tree, { pieces, packed, milliseconds: performance.now() - begin });
+    return growPacked(species, seed, { now: () => performance.now() }).stats;
   } catch (error) {
     throw error instanceof GrowthBudgetError ? new Failure(error.message) : error;
   }

@@ -106,7 +106,6 @@ export class Grower {
 
   private stand(wish: Wish, species: Species, grown: GrownTree): void {
     const { stats, packed, milliseconds } = grown;
-    const grow = milliseconds.grow + milliseconds.fit + milliseconds.pack;
     this.abort = null;
     this.shown = wish;
     this.session.setState({
@@ -114,7 +113,14 @@ export class Grower {
       tree: {
         species,
         seed: wish.seed,
-        figures: { stems: 0, pieces: packed.pieceCount, leaves: packed.leafCount, height: stats.height, grow },
+        figures: {
+          stems: stats.levels.reduce((sum, level) => sum + level.stems + level.clones, 0),
+          levels: stats.levels.length,
+          pieces: packed.pieceCount,
+          leaves: packed.leafCount,
+          height: stats.height,
+          grow: milliseconds.grow + milliseconds.fit + milliseconds.pack,
+        },
       },
       spoken: `${species.name}, ${packed.leafCount} leaves`,
     });

@@ -8,8 +8,13 @@ import { WindTree } from '../view/wind-tree.ts';
 import type { GrownTree } from '../worker/protocol.ts';
 import { placeOf, poseOf } from './camera-pose.ts';
 import { GpuTimer } from './gpu-timer.ts';
-import type { Insets, Picture, PictureEvents, Show } from './picture.ts';
+import { onScreen } from './on-screen.ts';
+import type { Insets, OnScreen, Picture, PictureEvents, Show } from './picture.ts';
 import type { FrameFigures } from './session.ts';
+
+/** Milliseconds of a frame on most screens, and the part of the camera's swing that is left after one. */
+const FRAME = 1000 / 60;
+const SWING = 0.9;
 
 /** Tree space is z-up, the picture y-up. */
 const boxOf = ([x0, y0, z0, x1, y1, z1]: ArrayLike<number> & Iterable<number>): Box3 =>
@@ -34,6 +39,7 @@ export class LivePicture implements Picture {
   private stale = true;
   private time = Number.NaN;
   private windMs = 0;
+  private drawn = 0;
 
   /** Draws in `host`, as large as that is. Throws where the browser gives no WebGL2 context. */
   constructor(host: HTMLElement, events: PictureEvents) {
@@ -127,6 +133,9 @@ export class LivePicture implements Picture {
       controls.target.copy(this.rest.target);
     }
     const start = performance.now();
+    // The swing fades by time, not by frames: where frames are slow it would go on for a minute.
+    controls.dampingFactor = 1 - SWING ** Math.max(1, (start - this.drawn) / FRAME);
+    this.drawn = start;
     this.timer.begin();
     tree.update(renderer, time);
     this.timer.end();
@@ -149,6 +158,12 @@ export class LivePicture implements Picture {
     const tips = new Float32Array(3 * pieceCount);
     for (let i = 0; i < pieceCount; i++) tips.set(pose.subarray(first + TEXEL * i, first + TEXEL * i + 3), 3 * i);
     return tips;
+  }
+
+  onScreen(): OnScreen {
+    const pose = this.tree.readPose(this.stage.renderer);
+    if (!pose || !this.grown) return { branches: [], horizon: 0 };
+    return onScreen(this.grown.packed, pose, this.tree, this.stage.camera, this.canvas);
   }
 
   capture(time: number): string {
@@ -181,5 +196,6 @@ export class LivePicture implements Picture {
       rest.target.copy(stage.controls.target);
     }
     this.gliding = false;
+    this.stale = true; // how finely the tree is drawn goes by the camera, and so do its shadows
   }
 }

@@ -19,6 +19,13 @@ export interface Show {
   readonly view: ViewMode;
 }
 
+/** Where things are in the window, CSS pixels. */
+export interface OnScreen {
+  /** Points along all pieces, x and y. */
+  readonly branches: readonly number[];
+  readonly horizon: number;
+}
+
 /** What the editor shows a tree on: the stage, or a still drawing where there is no WebGL2. */
 export interface Picture {
   setTree(grown: GrownTree, species: Species): void;
@@ -39,6 +46,8 @@ export interface Picture {
   draw(time: number): FrameFigures;
   /** Tips (P3) of all pieces as they were drawn last, 3 a piece, tree space, metres. */
   tips(): Float32Array;
+  /** Where the branches were drawn last, in pixels of the window, and the horizon's row: for tests. */
+  onScreen(): OnScreen;
   /** Draws the tree at `time` seconds without the interface, as a data: address of a PNG. */
   capture(time: number): string;
 }

@@ -20,6 +20,9 @@ export interface Notice {
 
 /** What a tree counts, for the statistics. */
 export interface TreeFigures {
+  /** Levels of stems that there are. */
+  readonly levels: number;
+  /** Clones among them. */
   readonly stems: number;
   readonly pieces: number;
   readonly leaves: number;

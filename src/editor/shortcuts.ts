@@ -73,7 +73,7 @@ export function listenToKeys(editor: Editor): () => void {
     if (taken(event.target, event.key)) return;
     const level = Number(event.key);
     if (level >= 1 && level <= 4) {
-      const count = editor.session.getState().tree?.species.tree.levels ?? 3;
+      const count = editor.session.getState().tree?.figures.levels ?? 3;
       editor.actions.setLevels(level >= Math.min(4, count) ? ALL_LEVELS : level);
       return;
     }

@@ -1,5 +1,5 @@
 import type { CameraPose } from '../core/link/link.ts';
-import type { Picture, PictureEvents } from './picture.ts';
+import type { OnScreen, Picture, PictureEvents } from './picture.ts';
 
 /** Draws the tree once for each change, where there is no WebGL2. */
 export class StillPicture implements Picture {
@@ -21,6 +21,9 @@ export class StillPicture implements Picture {
   }
   tips(): Float32Array {
     return new Float32Array(0);
+  }
+  onScreen(): OnScreen {
+    return { branches: [], horizon: 0 };
   }
   capture(): string {
     return this.canvas.toDataURL();

@@ -1,6 +1,6 @@
 import type { LinkDocument } from '../core/link/link.ts';
 import type { Editor } from './editor.ts';
-import type { Picture } from './picture.ts';
+import type { OnScreen, Picture } from './picture.ts';
 
 /** What tests and curious people may ask the page for: `window.windgrove`. */
 export interface TestHook {
@@ -14,6 +14,8 @@ export interface TestHook {
   settled(): Promise<void>;
   /** Tips (P3) of all pieces as drawn last, read back from the GPU: 3 a piece, tree space, metres. */
   tips(): number[];
+  /** Where the branches were drawn last, and the horizon, in pixels of the window. */
+  onScreen(): OnScreen;
   /** The picture without the interface at the time that was drawn last, as a data: address of a PNG. */
   picture(): string;
 }
@@ -47,6 +49,7 @@ export function installTestHook(
         });
       }),
     picture: () => picture.capture(editor.actions.time()),
+    onScreen: () => picture.onScreen(),
     tips: () => [...picture.tips()],
   };
 }

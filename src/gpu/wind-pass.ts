@@ -1,12 +1,9 @@
-import type { IUniform, RawShaderMaterial, WebGLRenderer, WebGLRenderTarget } from 'three';
-import seedFragment from '../../shaders/wind/seed.frag';
-import stepFragment from '../../shaders/wind/step.frag';
+import type { WebGLRenderer, WebGLRenderTarget } from 'three';
 import { POSE_TARGETS, TEXEL } from '../core/pack/layout.ts';
-import { createWindState } from '../core/wind/fade.ts';
 import { PassState } from './pass-state.ts';
 import type { Poser } from './poser.ts';
-import { type IndexRange, TexelDraw, texelMaterial } from './texel-draw.ts';
-import { treeShader } from './tree-shader.ts';
+import { type StepMaterials, stepMaterialsOf } from './step-materials.ts';
+import { type IndexRange, TexelDraw } from './texel-draw.ts';
 import { arrayTexture, type TreeTextures } from './tree-textures.ts';
 import type { WindSource } from './wind-source.ts';
 
@@ -27,15 +24,8 @@ const EVEN = 0;
 export class WindPass implements Poser {
   readonly #textures: TreeTextures;
   readonly #targets: readonly [WebGLRenderTarget, WebGLRenderTarget];
-  /** The step, and the one with the printed forms, compiled when it is first drawn. */
-  readonly #plain: RawShaderMaterial;
-  readonly #paper: RawShaderMaterial;
-  #step: RawShaderMaterial;
   readonly #draw: TexelDraw;
   readonly #state = new PassState();
-  readonly #wind = createWindState();
-  readonly #parent: IUniform;
-  readonly #uniforms: Record<'windCount' | 'windExponents', IUniform>;
   readonly #depths: number;
   #seeded = false;
   /** What the pose was computed for; NaN where nothing was. */
@@ -63,19 +53,6 @@ export class WindPass implements Poser {
     ]);
     // After the depths: all pieces, for the lagged pose and to seed.
     this.#draw = new TexelDraw(tree.pieces.width, tree.pieces.height, [...ranges, [0, tree.pieceCount]]);
-    this.#parent = { value: this.#targets[0].textures };
-    this.#uniforms = { windCount: { value: 0 }, windExponents: { value: [1, 1] } };
-    const uniforms = {
-      pieces: { value: textures.pieces },
-      parentPose: this.#parent,
-      log2Width: { value: Math.log2(tree.pieces.width) },
-      windWaves: { value: this.#wind.waves },
-      windPhases: { value: this.#wind.phases },
-      ...this.#uniforms,
-    };
-    this.#plain = texelMaterial(treeShader(stepFragment), uniforms);
-    this.#paper = texelMaterial(treeShader(stepFragment), uniforms, { WIND_PAPER: 1 });
-    this.#step = this.#plain;
   }
 
   /** Poses the tree as of `time` seconds. Changes no setting of `renderer` and allocates nothing. */
@@ -85,9 +62,12 @@ export class WindPass implements Poser {
     const { pose, revision } = source;
     if (this.#seeded && time === this.#time && revision === this.#revision && pose === this.#mode) return;
     this.#state.begin(renderer);
-    if (!this.#seeded) this.#seed(renderer);
-    if (pose === 'lagged') this.#lagged(renderer, time, source);
-    else this.#exact(renderer, time, source);
+    const materials = stepMaterialsOf(renderer);
+    if (!this.#seeded) this.#seed(renderer, materials);
+    materials.uniforms.pieces.value = this.#textures.pieces;
+    materials.uniforms.log2Width.value = Math.log2(this.#textures.pieces.image.width);
+    if (pose === 'lagged') this.#lagged(renderer, materials, time, source);
+    else this.#exact(renderer, materials, time, source);
     this.#state.end(renderer);
     this.#time = time;
     this.#revision = revision;
@@ -120,8 +100,6 @@ export class WindPass implements Poser {
   dispose(): void {
     this.#canvas?.removeEventListener('webglcontextrestored', this.#forget);
     this.#draw.dispose();
-    this.#plain.dispose();
-    this.#paper.dispose();
   }
 
   /** A restored context gives targets without their contents: they are seeded again at the next update. */
@@ -134,23 +112,23 @@ export class WindPass implements Poser {
   }
 
   /** Rest pose into both sets: a root's place is read from the set that is not written. The texture goes again at once. */
-  #seed(renderer: WebGLRenderer): void {
+  #seed(renderer: WebGLRenderer, { seed }: StepMaterials): void {
     const restPose = arrayTexture(this.#textures.tree.restPose, 'rest pose');
-    const material = texelMaterial(seedFragment, { restPose: { value: restPose } });
-    for (const target of this.#targets) this.#draw.draw(renderer, target, material, this.#depths);
-    material.dispose();
+    seed.uniforms.restPose.value = restPose;
+    for (const target of this.#targets) this.#draw.draw(renderer, target, seed, this.#depths);
+    seed.uniforms.restPose.value = null;
     restPose.dispose();
     this.#seeded = true;
     this.#mode = null;
   }
 
-  #exact(renderer: WebGLRenderer, time: number, source: WindSource): void {
-    this.#setWind(time, source);
-    for (let depth = 0; depth < this.#depths; depth++) this.#write(renderer, depth & 1, depth);
+  #exact(renderer: WebGLRenderer, materials: StepMaterials, time: number, source: WindSource): void {
+    source.fill(time, materials.wind);
+    for (let depth = 0; depth < this.#depths; depth++) this.#write(renderer, materials, depth & 1, depth);
     this.#show(0, 1);
   }
 
-  #lagged(renderer: WebGLRenderer, time: number, source: WindSource): void {
+  #lagged(renderer: WebGLRenderer, materials: StepMaterials, time: number, source: WindSource): void {
     const wanted = Math.round(time / STEP);
     // An edit while playing goes on from the pose there is; one while paused is shown as if it had always blown so.
     const ahead = wanted - this.#stepNumber;
@@ -158,27 +136,18 @@ export class WindPass implements Poser {
     // A piece of depth d looks back d steps, so the first of D + 1 steps may start from any pose.
     let step = follows ? this.#stepNumber + 1 : wanted - this.#depths + 1;
     for (; step <= wanted; step++) {
-      this.#setWind(step * STEP, source);
+      source.fill(step * STEP, materials.wind);
       this.#current = 1 - this.#current;
-      this.#write(renderer, this.#current, this.#depths);
+      this.#write(renderer, materials, this.#current, this.#depths);
     }
     this.#show(this.#current, this.#current);
     this.#stepNumber = wanted;
   }
 
   /** Draws a range into a set, reading the other one. */
-  #write(renderer: WebGLRenderer, set: number, range: number): void {
-    this.#parent.value = this.#targets[1 - set].textures;
-    this.#draw.draw(renderer, this.#targets[set], this.#step, range);
-  }
-
-  #setWind(time: number, source: WindSource): void {
-    source.fill(time, this.#wind);
-    const { windCount, windExponents } = this.#uniforms;
-    windCount.value = this.#wind.count;
-    windExponents.value[0] = this.#wind.forceExponent;
-    windExponents.value[1] = this.#wind.lengthExponent;
-    this.#step = this.#wind.paper ? this.#paper : this.#plain;
+  #write(renderer: WebGLRenderer, materials: StepMaterials, set: number, range: number): void {
+    materials.uniforms.parentPose.value = this.#targets[1 - set].textures;
+    this.#draw.draw(renderer, this.#targets[set], materials.material(renderer), range);
   }
 
   /** Points the deformer's uniforms at the sets that even and odd depths are in. */

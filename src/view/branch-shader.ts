@@ -33,7 +33,8 @@ export const BRANCH_STANDARD: Injection = {
     {
       anchor: '#include <defaultnormal_vertex>',
       after: `vAround = (modelViewMatrix * vec4(here.surface.around, 0.0)).xyz;
-barkVertex(here, normal.x, crownSky(here.surface.position));`,
+// Wood shows where the crown is open, so it is less sheltered than the leaves around it.
+barkVertex(here, normal.x, mix(1.0, crownSky(here.surface.position), 0.6));`,
     },
   ],
   fragment: [

@@ -62,5 +62,5 @@ export function setControlLines(
   lines.geometry.boundingSphere = box.getBoundingSphere(new Sphere());
   const { levelEnd, frameSize } = lines.material.uniforms;
   if (levelEnd) levelEnd.value = [0, 1, 2, 3].map((level) => ends[level] ?? count);
-  if (frameSize) frameSize.value = (box.max.z - box.min.z) * 0.012;
+  if (frameSize) frameSize.value = (box.max.z - box.min.z) * 0.007;
 }

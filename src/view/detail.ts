@@ -31,12 +31,18 @@ const BANDS: readonly (readonly [near: number, far: number])[] = [
 ];
 
 /**
- * The grid for a level whose stems are `radius` pixels thick on screen.
+ * The grid for a level of `pieces` pieces whose stems are `radius` pixels thick on screen.
  *
- * Triangles cost more than the deformer's arithmetic, so thin branches become ribbons of two columns.
+ * Triangles cost more than the deformer's arithmetic, so thin branches become ribbons of two columns, and where many thick
+ * ones would take too many triangles they are drawn as if they were thinner.
  */
-export function gridDetail(level: number, radius: number, detail: Detail): GridDetail {
-  const pixels = radius * FACTOR[detail];
+export function gridDetail(level: number, radius: number, pieces: number, detail: Detail): GridDetail {
+  const grid = gridFor(level, radius * FACTOR[detail]);
+  if (grid.sectors === 1 || pieces * grid.sectors * grid.bands * 2 <= STEM_TRIANGLES[detail]) return grid;
+  return gridDetail(level, radius / 2, pieces, detail);
+}
+
+function gridFor(level: number, pixels: number): GridDetail {
   const bands = BANDS[Math.min(level, BANDS.length - 1)] as readonly [number, number];
   const step = SECTORS.find(([least]) => pixels >= least);
   // A trunk stays round: its lobes and its shadow show even where it is thin.
@@ -44,12 +50,24 @@ export function gridDetail(level: number, radius: number, detail: Detail): GridD
   return { sectors, bands: pixels >= 3.5 ? bands[0] : bands[1] };
 }
 
-/** How finely leaves are drawn whose blades are `length` pixels long on screen. */
-export function leafGrain(length: number, detail: Detail): LeafGrain {
+/**
+ * How finely `count` leaves are drawn whose blades are `length` pixels long on screen; `triangles` tells what a leaf of a grain takes.
+ */
+export function leafGrain(
+  length: number,
+  count: number,
+  triangles: (grain: LeafGrain) => number,
+  detail: Detail,
+): LeafGrain {
   const pixels = length * FACTOR[detail];
-  if (pixels >= 42) return 'near';
-  return pixels >= 9 ? 'middle' : 'far';
+  const affordable = (grain: LeafGrain): boolean => triangles(grain) * count <= FOLIAGE_TRIANGLES[detail];
+  if (pixels >= 42 && affordable('near')) return 'near';
+  return pixels >= 9 && affordable('middle') ? 'middle' : 'far';
 }
+
+/** Triangles that one level of stems, and the leaves, may take before a coarser form is chosen. */
+const STEM_TRIANGLES: Record<Detail, number> = { auto: 240_000, high: 2_000_000, low: 60_000 };
+const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 600_000, high: 6_000_000, low: 100_000 };
 
 /** Leaves that are drawn at most, by default. */
 export const LEAF_BUDGET: Record<Detail, number> = { auto: 150_000, high: 600_000, low: 30_000 };

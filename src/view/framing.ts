@@ -6,14 +6,15 @@ export interface Framing {
   readonly target: Vector3;
 }
 
-/** Height of the eye: that of a person on a meadow, or for a tall tree that of a rise in front of it; metres, and part of the tree's height. */
+/** Height of the eye: that of a person on a meadow, or for a tall tree that of a rise in front of it; metres, and parts of the height, as least and most. */
 const EYE = 1.6;
 const RISE = 0.14;
 
-/** Place of the horizon, and most of the picture that the crown may take, from the middle (0) to the edge (1). */
+/** Place of the horizon, and most of the picture that crown and foot may take, from the middle (0) to the edge (1). */
 const HORIZON = -0.46;
 const TOP = 0.84;
 const SIDE = 0.84;
+const FOOT = 0.86;
 
 /**
  * The view of a whole tree from eye height: horizon a third up, air above the crown, both sides inside.
@@ -24,14 +25,15 @@ const SIDE = 0.84;
 export function frameTree(box: Box3, fov: number, aspect: number, azimuth: number): Framing {
   const half = Math.tan(MathUtils.degToRad(fov) / 2);
   const height = Math.max(box.max.y, 0.1);
-  const eye = Math.min(Math.max(EYE, RISE * height), 0.45 * height);
+  const eye = Math.min(Math.max(EYE, RISE * height), 0.2 * height);
   const centre = box.getCenter(new Vector3());
   const radius = Math.max(box.max.x - box.min.x, box.max.z - box.min.z, 0.1) / 2;
   // The view is tilted up so that the level of the eye falls on the horizon's place.
   const pitch = Math.atan(-HORIZON * half);
   const byHeight = (height - eye) / Math.tan(pitch + Math.atan(TOP * half));
   const byWidth = radius / (SIDE * half * aspect) + radius * 0.35;
-  const distance = Math.max(byHeight + radius * 0.25, byWidth);
+  const byFoot = eye / Math.tan(Math.atan(FOOT * half) - pitch) + radius * 0.6;
+  const distance = Math.max(byHeight + radius * 0.25, byWidth, byFoot);
   const target = new Vector3(centre.x, eye + distance * Math.tan(pitch), centre.z);
   const position = new Vector3(centre.x + distance * Math.sin(azimuth), eye, centre.z + distance * Math.cos(azimuth));
   return { position, target };

@@ -47,8 +47,8 @@ export class Ground extends Mesh<CircleGeometry, MeshLambertMaterial> {
 
   /** Sizes it for a tree: its reach, radius of the trunk's foot and of the crown in metres. */
   fit(reach: number, foot: number, crown: number): void {
-    this.uniforms.groundReach.value.set(reach * 1.6, reach * 5.5, foot, crown);
-    this.scale.setScalar(reach * 6);
+    this.uniforms.groundReach.value.set(reach * 0.9, reach * 4.2, foot, crown);
+    this.scale.setScalar(reach * 5);
   }
 
   setLook(look: StageLook): void {

@@ -1,5 +1,5 @@
 import { ShapeUtils, Vector2 } from 'three';
-import { type HalfOutline, LEAF_SHAPES, type Leaflet } from './leaf-outline.ts';
+import { type HalfOutline, LEAF_SHAPES, type Leaflet, type LeafShape } from './leaf-outline.ts';
 
 /** How finely a leaf is drawn. */
 export type LeafGrain = 'near' | 'middle' | 'far';
@@ -20,6 +20,9 @@ export interface LeafMesh {
 /** How far the halves lift from the midrib and how far the tip hangs, in lengths of the blade. */
 const FOLD = 0.28;
 const CURL = 0.16;
+
+/** Half the width of a petiole at its foot, in lengths of the blade. */
+const PETIOLE_WIDTH = 0.02;
 
 const height = (x: number, z: number): number => FOLD * Math.abs(x) * (1 - 0.4 * z) - CURL * z * z;
 
@@ -78,22 +81,38 @@ function addBlade(out: Builder, half: HalfOutline, width: number, petiole: numbe
   }
 }
 
-/** A flat strip from the stem to the blade; it is thin, so one plane is enough. */
-function addPetiole(out: Builder, petiole: number, segments: number): void {
+/** A thin triangle from the stem to the blade, widest at its foot. */
+function addPetiole(out: Builder, petiole: number): void {
   const first = out.position.length / 3;
-  const width = 0.016;
-  for (let i = 0; i <= segments; i++) {
-    const f = i / segments;
-    for (const side of [-1, 1]) {
-      out.position.push(side * width * (1 - 0.4 * f), 0, petiole * f + (i === segments ? 0.02 : 0));
-      out.normal.push(side * 0.6, 0.8, 0);
-      out.blade.push(0, f - 1, 0, 1);
-    }
+  for (const [x, z] of [
+    [-PETIOLE_WIDTH, 0],
+    [PETIOLE_WIDTH, 0],
+    [0, petiole + 0.05],
+  ] as const) {
+    out.position.push(x, 0, z);
+    out.normal.push(0, 1, 0);
+    out.blade.push(0, z / petiole - 1, 0, 1);
   }
-  for (let i = 0; i < segments; i++) {
-    const a = first + i * 2;
-    out.index.push(a, a + 2, a + 1, a + 1, a + 2, a + 3);
-  }
+  out.index.push(first, first + 2, first + 1);
+}
+
+/** From afar, or where it is short, a petiole is not drawn. */
+const hasPetiole = (petiole: number, grain: LeafGrain): boolean =>
+  grain === 'near' ? petiole > 0 : grain === 'middle' && petiole > 0.15;
+
+const RIBS = { near: 2, middle: 0, far: 0 } as const;
+
+/** Triangles of one leaf. Throws RangeError for an unknown shape. */
+export function leafTriangles(shape: number, petiole: number, grain: LeafGrain): number {
+  const leaf = shapeOf(shape);
+  const half = leaf[grain].length + RIBS[grain] - 2;
+  return 2 * half * leaf.leaflets.length + (hasPetiole(petiole, grain) ? 1 : 0);
+}
+
+function shapeOf(shape: number): LeafShape {
+  const leaf = LEAF_SHAPES[shape];
+  if (!leaf) throw new RangeError(`leaf shape must be 0 to ${LEAF_SHAPES.length - 1}, found ${shape}`);
+  return leaf;
 }
 
 /**
@@ -102,12 +121,10 @@ function addPetiole(out: Builder, petiole: number, segments: number): void {
  * `shape` as in a species (0..5); `width` and `petiole` in lengths of the blade, > 0 and >= 0. Throws RangeError for an unknown shape.
  */
 export function leafMesh(shape: number, width: number, petiole: number, grain: LeafGrain, bundle: number): LeafMesh {
-  const leaf = LEAF_SHAPES[shape];
-  if (!leaf) throw new RangeError(`leaf shape must be 0 to ${LEAF_SHAPES.length - 1}, found ${shape}`);
+  const leaf = shapeOf(shape);
   const one: Builder = { position: [], normal: [], blade: [], index: [] };
-  if (petiole > 0 && grain !== 'far') addPetiole(one, petiole, 1);
-  const ribs = grain === 'near' ? 2 : 0;
-  for (const place of leaf.leaflets) addBlade(one, leaf[grain], width, petiole, ribs, place);
+  if (hasPetiole(petiole, grain)) addPetiole(one, petiole);
+  for (const place of leaf.leaflets) addBlade(one, leaf[grain], width, petiole, RIBS[grain], place);
   const verticesPerCopy = one.position.length / 3;
   const vertices = verticesPerCopy * bundle;
   const position = new Float32Array(vertices * 3);

@@ -6,8 +6,8 @@ import type { Ground } from './ground.ts';
 import { inject } from './inject.ts';
 
 /** Tufts, blades of each. */
-const TUFTS = 5200;
-const BLADES = 3;
+const TUFTS = 4600;
+const BLADES = 2;
 
 /** Where three's Lambert material takes the blades and the colour of the ground that they stand on. */
 export const GRASS_INJECTION = {
@@ -48,9 +48,9 @@ function blades(): BufferGeometry {
   };
   let at = 0;
   for (let tuft = 0; tuft < TUFTS; tuft++) {
-    const r = 0.025 + 1.9 * draw() ** 1.35;
+    const r = 0.025 + 2.6 * draw() ** 1.3;
     const angle = draw() * Math.PI * 2;
-    const size = (0.07 + 0.14 * draw() ** 2) * (0.7 + 0.6 * r);
+    const size = (0.09 + 0.16 * draw() ** 2) * (0.7 + 0.6 * r);
     for (let blade = 0; blade < BLADES; blade++) {
       const way = draw() * Math.PI * 2;
       const root = 0.05 * draw();

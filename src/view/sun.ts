@@ -24,7 +24,7 @@ export class Sun extends DirectionalLight {
     this.position.copy(centre).addScaledVector(this.direction, size);
     this.updateMatrixWorld();
     this.target.updateMatrixWorld();
-    turned.lookAt(this.position, centre, this.up).setPosition(this.position).invert();
+    turned.identity().lookAt(this.position, centre, this.up).setPosition(this.position).invert();
     const { camera } = this.shadow;
     let right = 0;
     let top = 0;

@@ -16,6 +16,7 @@ import { branchGeometry, bundleFor, leafGeometry } from './branch-geometry.ts';
 import { controlLines, setControlLines } from './control-lines.ts';
 import { type Detail, gridDetail, leafGrain, leafGrowth } from './detail.ts';
 import { sectorsForLobes } from './grid.ts';
+import { leafTriangles } from './leaf-mesh.ts';
 import { levelColour } from './level-colours.ts';
 import { pixelsPerMetre } from './pixel-size.ts';
 import { type LevelExtent, levelExtents, windBox } from './tree-extent.ts';
@@ -56,8 +57,11 @@ interface Level {
   drawn: string;
 }
 
-/** The part of the deformer's programs that a level needs. */
-const definesOf = (level: number): string[] => (level === 0 ? ['FLARED'] : []);
+/** The parts of the deformer's programs that a level needs: trunks have flare and lobes, other stems bulges at most. */
+const definesOf = (level: number, species: Species): string[] => {
+  if (level === 0) return ['FLARED'];
+  return species.tree.bulgeDepth > 0 ? [] : ['PLAIN_STEM'];
+};
 
 /**
  * The meshes of one tree, in tree space (z up).
@@ -93,10 +97,12 @@ export class TreeParts extends Object3D {
   /** Takes a new tree. Materials and their programs stay; geometry is made anew at the next frame. */
   setTree(tree: PackedTree, species: Species): void {
     this.#tree = tree;
-    this.#species = species;
     this.#box = windBox(tree.bounds);
     const extents = levelExtents(tree);
-    while (this.#levels.length > tree.levels.length) this.#dropLevel();
+    // Other programs are needed where bulges come or go.
+    const keep = this.#species && definesOf(1, this.#species).length === definesOf(1, species).length;
+    while (this.#levels.length > (keep ? tree.levels.length : 0)) this.#dropLevel();
+    this.#species = species;
     tree.levels.forEach(({ start, count }, i) => {
       const level = this.#levels[i] ?? this.#addLevel(i);
       Object.assign(level, { start, count, extent: extents[i], drawn: '' });
@@ -162,7 +168,11 @@ export class TreeParts extends Object3D {
 
   #addLevel(index: number): Level {
     const uniforms = levelUniforms();
-    const tube = branchMaterials(definesOf(index), { ...this.shared, ...this.bark, ...uniforms });
+    const tube = branchMaterials(definesOf(index, this.#species as Species), {
+      ...this.shared,
+      ...this.bark,
+      ...uniforms,
+    });
     const mesh = this.#newMesh(`level ${index}`);
     const level: Level = {
       mesh,
@@ -234,7 +244,7 @@ export class TreeParts extends Object3D {
   #fitLevel(level: Level, index: number, camera: Camera): void {
     const { extent, count, mesh, uniforms } = level;
     const pixels = extent.radius * pixelsPerMetre(camera, this.matrixWorld, extent.box, this.pictureHeight);
-    const grid = gridDetail(index, pixels, this.shown.detail);
+    const grid = gridDetail(index, pixels, count, this.shown.detail);
     const [a] = uniforms.stemShape.value as [Vector4, Vector4];
     const sectors = sectorsForLobes(grid.sectors, a.z, a.w);
     // Below 1 the taper leaves the tip open.
@@ -251,7 +261,7 @@ export class TreeParts extends Object3D {
   #ribbonOf(level: Level, index: number): MaterialSet {
     if (!level.ribbon) {
       const all = { ...this.shared, ...this.bark, ...level.uniforms };
-      level.ribbon = branchMaterials([...definesOf(index), 'RIBBON'], all);
+      level.ribbon = branchMaterials([...definesOf(index, this.#species as Species), 'RIBBON'], all);
       level.ribbon.standard.roughness = level.tube.standard.roughness;
       this.#applyMode();
     }
@@ -265,12 +275,10 @@ export class TreeParts extends Object3D {
     const count = Math.min(tree.leafCount, shown.leafBudget);
     const [growX, growY] = leafGrowth(count / tree.leafCount, leaves.scaleX);
     const pixels = length * growY * pixelsPerMetre(camera, this.matrixWorld, this.#box as Box3, this.pictureHeight);
-    const spec = {
-      shape: foliage.outline ?? leaves.shape,
-      width: leaves.scaleX,
-      petiole: leaves.petiole,
-      grain: leafGrain(pixels, shown.detail),
-    };
+    const { petiole, scaleX: width } = leaves;
+    const shape = foliage.outline ?? leaves.shape;
+    const grain = leafGrain(pixels, count, (g) => leafTriangles(shape, petiole, g), shown.detail);
+    const spec = { shape, width, petiole, grain };
     const name = JSON.stringify([spec, count]);
     if (this.#leafDrawn === name) return;
     if (!this.#leafMesh) this.#leafMesh = this.#newMesh('leaves');

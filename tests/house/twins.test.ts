@@ -24,7 +24,7 @@ function functionsOf(file: string, text: string): GlslFunction[] {
     .filter(({ name }) => name !== 'main');
 }
 
-const twinIn = (comment: string): string | undefined => /\bTwin:\s*(\S+\.ts)\b/.exec(comment)?.[1];
+const twinIn = (comment: string): string | undefined => /\bTwin:\s*(\S+\.ts\b(?: \(\w+\))?)/.exec(comment)?.[1];
 
 /** Names that a TypeScript file exports as functions. */
 function exportsOf(file: string): string[] {
@@ -44,16 +44,22 @@ function exportsOf(file: string): string[] {
 function fault({ file, name, doc, twin }: GlslFunction): string | undefined {
   if (doc === '') return `${file}: ${name} has no doc block`;
   if (!twin) return `${file}: neither the doc block of ${name} nor its file names a twin ('Twin: src/core/...')`;
-  if (!twin.startsWith('src/core/')) return `${file}: the twin of ${name} is outside of core: ${twin}`;
-  if (!exists(twin)) return `${file}: the twin of ${name} is not there: ${twin}`;
-  return exportsOf(twin).includes(name) ? undefined : `${file}: ${twin} exports no ${name}`;
+  // A twin that GLSL cannot give the same name (it has no optional arguments) is named in brackets.
+  const [, path, other] = /^(\S+)(?: \((\w+)\))?$/.exec(twin)!;
+  if (!path!.startsWith('src/core/')) return `${file}: the twin of ${name} is outside of core: ${path}`;
+  if (!exists(path!)) return `${file}: the twin of ${name} is not there: ${path}`;
+  return exportsOf(path!).includes(other ?? name) ? undefined : `${file}: ${path} exports no ${other ?? name}`;
 }
 
 /** Functions that draw rather than compute: three's own hooks, which pictures judge. */
 const drawing = new Set(['RE_Direct_Leaf']);
 
 /** A file that reads or writes what flows through the pipeline: glue between libraries, whose whole is compared as a drawn tree. */
-const isGlue = (text: string): boolean => /^[ \t]*(?:(?:flat|layout\([^)]*\))\s+)*(?:uniform|in|out)\s/m.test(text);
+function isGlue(file: string): boolean {
+  const text = textOf(file);
+  if (/^[ \t]*(?:(?:flat|layout\([^)]*\))\s+)*(?:uniform|in|out)\s/m.test(text)) return true;
+  return [...text.matchAll(/^[ \t]*#include\s+\/(\S+)/gm)].some((match) => isGlue(`shaders/${match[1]}`));
+}
 
 /** What shaders are put together from; debug/ holds what only cross-check and bench draw with. */
 const files = ['lib', 'wind', 'branch', 'leaf']
@@ -61,9 +67,7 @@ const files = ['lib', 'wind', 'branch', 'leaf']
   .filter((file) => file.endsWith('.glsl'));
 const functions = files
   .flatMap((file) => functionsOf(file, textOf(file)))
-  .filter(
-    ({ file, name, twin }) => !drawing.has(name) && (twin || file.startsWith('shaders/lib/') || !isGlue(textOf(file))),
-  );
+  .filter(({ file, name, twin }) => !drawing.has(name) && (twin || file.startsWith('shaders/lib/') || !isGlue(file)));
 
 describe('twins', () => {
   test('every file of shaders says what it is for before its first function', () => {

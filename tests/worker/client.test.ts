@@ -12,6 +12,7 @@ import { anySpecies } from '../core/pieces/hand-made-tree.ts';
 /** The worker's service behind a channel in this thread: messages are cloned and transferred as between threads. */
 class FakeWorker implements WorkerLike {
   terminated = false;
+  asked = 0;
   private readonly channel = new MessageChannel();
   private readonly near = this.channel.port1 as unknown as MessagePort;
   private readonly listeners: ((event: Event) => void)[] = [];
@@ -22,6 +23,7 @@ class FakeWorker implements WorkerLike {
   }
 
   postMessage(message: unknown, transfer: unknown = []): void {
+    this.asked++;
     this.near.postMessage(message, transfer as Transferable[]);
   }
   addEventListener(type: string, listener: unknown): void {
@@ -132,7 +134,9 @@ describe('GrowClient with a slow service', () => {
     expect((await third).stats.seed).toBe(3);
     // The second was never asked of the worker.
     expect(service.asked.map((r) => r.seed)).toEqual([1, 3]);
-    expect(workers).toHaveLength(1);
+    // The spare that began to load was not needed.
+    expect(workers.map((w) => w.asked)).toEqual([2, 0]);
+    expect(workers.map((w) => w.terminated)).toEqual([false, false]);
   });
 
   it('terminates a worker that does not end in time and starts a fresh one', async () => {

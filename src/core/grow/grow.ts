@@ -1,12 +1,12 @@
 import type { Species } from '../species/species.ts';
 import type { GrowthBudget } from './budget.ts';
-import { DEFAULT_BUDGET, GrowthCancelled } from './budget.ts';
+import { BYTES, DEFAULT_BUDGET, GrowthBudgetError, GrowthCancelled } from './budget.ts';
 import { ChildGrower } from './children.ts';
 import { DRAW, draw, spread, streamOf, trunkPath } from './draws.ts';
 import { turnX, turnZ } from './frame.ts';
 import { LeafGrower } from './leaves.ts';
 import type { LevelPlan } from './plan.ts';
-import { planLevel } from './plan.ts';
+import { parametersOf, planLevel } from './plan.ts';
 import { trunkRadius } from './radius.ts';
 import { StemGrower } from './stem-grower.ts';
 import { stretchStems } from './stretch.ts';
@@ -53,7 +53,14 @@ export function grow(species: Species, seed: number, options: GrowOptions = {}):
   const scale = Math.max(tree.scale + spread(stream, DRAW.scale, tree.scaleV), tree.scale / 4);
   const all = Math.max(1, Math.round(tree.levels));
   const levels = Math.max(1, Math.min(all, Math.floor(options.levels ?? all)));
-  const plans = Array.from({ length: levels }, (_, level) => planLevel(species, level));
+  const plans = Array.from({ length: levels }, (_, level) => {
+    const { curveRes } = parametersOf(species, level);
+    const bytes = curveRes * BYTES.node;
+    // Even one stem would be too much, and so would its list of turns.
+    if (bytes > budget.bytes)
+      throw new GrowthBudgetError('bytes', 0, bytes, budget.bytes, `levels[${Math.min(level, 3)}].curveRes`, curveRes);
+    return planLevel(species, level);
+  });
 
   const grower = new StemGrower(species, scale, budget);
   const { stems } = grower;

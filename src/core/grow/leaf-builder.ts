@@ -12,7 +12,7 @@ export class LeafBuilder {
 
   add(stem: number, z: number, f: Frame, phase: number): void {
     const i = this.count;
-    if (i === this.stem.length) this.widen();
+    if (i === this.stem.length) this.reserve(i + 1);
     this.stem[i] = stem;
     this.z[i] = z;
     this.phase[i] = phase;
@@ -33,8 +33,9 @@ export class LeafBuilder {
     };
   }
 
-  private widen(): void {
-    const needed = this.count + 1;
+  /** Makes room for so many leaves in one go. */
+  reserve(needed: number): void {
+    if (needed <= this.stem.length) return;
     this.stem = widened(this.stem, needed);
     this.z = widened(this.z, needed);
     this.orientation = widened(this.orientation, 4 * needed);

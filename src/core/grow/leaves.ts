@@ -48,7 +48,7 @@ export class LeafGrower {
     return this.species.leaves.scale / Math.sqrt(this.quality);
   }
 
-  /** Throws where the leaves of stems `from` to `to` would go over the budget: before a single one is grown. */
+  /** Throws where the leaves of stems `from` to `to` would go over the budget, before a single one is grown; makes room for them else. */
   foresee(from: number, to: number): void {
     const { stems, budget } = this;
     const { count, quality } = this.species.leaves;
@@ -59,6 +59,8 @@ export class LeafGrower {
     const value = quality > 1 ? quality : count;
     if (asked > budget.leaves) throw new GrowthBudgetError('leaves', 0, asked, budget.leaves, path, value);
     if (bytes > budget.bytes) throw new GrowthBudgetError('bytes', 0, bytes, budget.bytes, path, value);
+    // A stem rounds its leaves, so that a few more than asked for may grow.
+    this.leaves.reserve(Math.ceil(1.02 * asked));
   }
 
   /** Leaves on stem `i` and its clones together; negative for a fan, of which every tip has one. */

@@ -14,6 +14,32 @@ export function splitSequence(segSplits: number, count: number): number[] {
   return splits;
 }
 
+/**
+ * Stems that one stem with its clones becomes: clones inherit the error of their twin (row 29), so all split in step.
+ * `first` is the number of clones at the end of the first segment where it is given apart (base splits), else -1.
+ */
+export function familySize(
+  segSplits: number,
+  error: number,
+  segments: number,
+  first: number,
+  halving: boolean,
+): number {
+  let size = 1;
+  let left = error;
+  let rate = segSplits;
+  for (let i = 0; i < segments - 1; i++) {
+    let n = first;
+    if (i > 0 || first < 0) {
+      n = effectiveSplits(rate, left);
+      left -= n - rate;
+    }
+    size *= n + 1;
+    if (halving && n > 0) rate *= 0.5;
+  }
+  return size;
+}
+
 /** max(0, (nSplitAngle +- V) - declination), one unit for all (4.2; weber-penn.md 1.1). */
 export const splitAngle = (angle: number, declination: number): number => Math.max(0, angle - declination);
 

@@ -9,7 +9,7 @@ import type { LevelPlan } from './plan.ts';
 import { RADIANS } from './plan.ts';
 import type { Envelope } from './pruning.ts';
 import { fittingPart } from './pruning.ts';
-import { effectiveSplits, splitAngle, spreadAngleDeg } from './splits.ts';
+import { effectiveSplits, familySize, splitAngle, spreadAngleDeg } from './splits.ts';
 import { StemBuilder } from './stem-builder.ts';
 
 /** Where a stem or a clone begins, and what it brings along from its twin. */
@@ -112,6 +112,7 @@ export class StemGrower {
     // stems and yet no stem depends on another. The trunk starts with the printed 0.
     root.error = plan.level > 0 && plan.parameters.segSplits > 0 ? draw(stream, DRAW.splits) - 0.5 : 0;
     root.phase = plan.helix > 0 ? 2 * Math.PI * draw(stream, DRAW.helix) : 0;
+    this.foresee(plan, root.error);
     this.strand(plan, root, length, first);
     for (let i = 0; i < this.waiting.length; i++) this.strand(plan, this.waiting[i], length, first);
     this.waiting.length = 0;
@@ -211,7 +212,6 @@ export class StemGrower {
     s.share /= clones + 1;
     if (this.species.switches.halveCloning) s.propensity *= 0.5;
     for (let j = 0; j < clones; j++) {
-      this.check(plan, 0);
       const path = clonePath(s.path, i, j);
       const own = streamOf(path);
       const angle = splitAngle(plan.splitAngle + spread(own, DRAW.split + i, plan.splitAngleV), declination);
@@ -246,19 +246,36 @@ export class StemGrower {
     return (j + 1) * gap + spread(own, DRAW.spread + i, gap / 4);
   }
 
+  /** Throws where the clones of a stem with this error of splits would go over the budget: before one is grown. */
+  private foresee(plan: LevelPlan, error: number): void {
+    const { segSplits } = plan.parameters;
+    const baseSplits = plan.level === 0 ? Math.round(plan.parameters.baseSplits) : 0;
+    if (segSplits === 0 && baseSplits === 0) return;
+    const halving = this.species.switches.halveCloning;
+    const size = familySize(segSplits, error, plan.segments, baseSplits > 0 ? baseSplits : -1, halving);
+    const asked = this.stems.count + size;
+    const key = segSplits > 0 ? 'segSplits' : 'baseSplits';
+    if (asked > this.budget.stems) this.refuse(plan, 'stems', this.stems.count, asked, key);
+  }
+
   /** Throws where the next stem, of this many nodes, would go over the budget. */
   private check(plan: LevelPlan, nodes: number): void {
     const { stems, budget } = this;
-    const asked = stems.count + this.waiting.length + 1;
+    const asked = stems.count + 1;
     const bytes = asked * BYTES.stem + (stems.nodeCount + nodes) * BYTES.node;
     if (asked > budget.stems) this.refuse(plan, 'stems', stems.count, asked);
     if (bytes > budget.bytes)
       this.refuse(plan, 'bytes', stems.count * BYTES.stem + stems.nodeCount * BYTES.node, bytes);
   }
 
-  private refuse(plan: LevelPlan, what: 'stems' | 'bytes', count: number, asked: number): never {
-    // The likely culprit: clones in plenty, long chains of segments, else the number of stems.
-    const key = this.waiting.length > 100 ? 'segSplits' : plan.segments > 100 ? 'curveRes' : 'branches';
+  private refuse(
+    plan: LevelPlan,
+    what: 'stems' | 'bytes',
+    count: number,
+    asked: number,
+    // The likely culprit.
+    key: 'segSplits' | 'baseSplits' | 'curveRes' | 'branches' = plan.segments > 100 ? 'curveRes' : 'branches',
+  ): never {
     const path = `levels[${Math.min(plan.level, 3)}].${key}`;
     throw new GrowthBudgetError(what, count, asked, this.budget[what], path, plan.parameters[key]);
   }

@@ -2,7 +2,7 @@
  * The sine of a quarter turn or less, as an odd polynomial of six terms (minimax, 1.4e-11 off; 2e-7 in float32).
  * Software GL's own sine is off by 2e-4; this one is the same in both languages.
  */
-const sineOfQuarter = (y: number): number => {
+export const sineOfQuarter = (y: number): number => {
   const s = y * y;
   const tail = 41.9999898947871 + s * -14.337025069807426;
   return (
@@ -22,7 +22,7 @@ export function sinTurns(x: number): number {
 export const cosTurns = (x: number): number => sineOfQuarter(0.25 - Math.abs(x - Math.floor(x + 0.5)));
 
 /** x^k for x >= 0 and k > 0, 0 at 0: GLSL leaves pow undefined there. Twin: shaders/lib/trig.glsl. */
-export const power = (x: number, k: number): number => (x > 0 ? x ** k : 0);
+export const power = (x: number, k: number): number => (x > 0 ? Math.exp(k * Math.log(x)) : 0);
 
 /**
  * The angle in radians between two unit vectors whose tips are `chord` apart (0..2), within 0.1 % up to 120 degrees.

@@ -5,7 +5,7 @@ import type { LeafAttachments, Pieces } from '../pieces/pieces.ts';
 import { extentOf } from './extent.ts';
 import { BRANCH_LAYERS, LEAF_LAYERS, PIECE_LAYERS, POSE_TARGETS } from './layout.ts';
 import type { DrawRange, PackedTree, TexelArray } from './packed.ts';
-import { spreadOrder } from './spread.ts';
+import { inverseOrder, spreadOrder } from './spread.ts';
 import { layerStart, texelArray } from './texel-array.ts';
 
 /** Exponent of the share of the bend along a stem (Skjermo 2007, equation 16). */
@@ -151,10 +151,10 @@ function packLeaves({ leaves }: Tree, { depth }: Pieces, { piece, v, orientation
   const { data } = out;
   const place = layerStart(out, LEAF_LAYERS.PLACE);
   const orient = layerStart(out, LEAF_LAYERS.ORIENT);
-  const order = spreadOrder(leaves.count);
-  for (let k = 0; k < leaves.count; k++) {
-    const i = order[k];
-    const t = 4 * k;
+  // In the leaves' own order: what is read lies in a row, and what is written lies in as many rows as the order has tiers.
+  const placeOf = inverseOrder(spreadOrder(leaves.count));
+  for (let i = 0; i < leaves.count; i++) {
+    const t = 4 * placeOf[i];
     data[place + t] = piece[i];
     data[place + t + 1] = v[i];
     data[place + t + 2] = leaves.length[i];

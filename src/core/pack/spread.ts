@@ -38,3 +38,10 @@ export function spreadOrder(count: number): Uint32Array {
   }
   return order;
 }
+
+/** index -> place of an order that leads from place to index. */
+export function inverseOrder(order: Uint32Array): Uint32Array {
+  const place = new Uint32Array(order.length);
+  for (let k = 0; k < order.length; k++) place[order[k]] = k;
+  return place;
+}

@@ -5,6 +5,8 @@ import { FITTED, fitCubicFree } from './fit.ts';
 export const TOLERANCE = [0.01, 0.02] as const;
 /** Largest sum of the turns between segments that one piece may follow: 120 degrees (equations.md 7.3). */
 export const MAX_TURN = (2 * Math.PI) / 3;
+/** Least length of a stem in metres: what is shorter in float32 still gets a direction, that of its frame. */
+const SHORTEST = 1e-6;
 /** Below this fraction of the tolerance a fit is not improved further. */
 const ENOUGH = 0.4;
 
@@ -44,14 +46,14 @@ export function fitChains(tree: Tree): Chains {
     const x = nodeFrame[9 * node + 6];
     const y = nodeFrame[9 * node + 7];
     const z = nodeFrame[9 * node + 8];
-    if (segments === 1) {
+    if (segments > 1) work.load(nodePosition, node, segments);
+    if (segments === 1 || work.length < SHORTEST) {
       straight(nodePosition, node, x, y, z, offset, 9 * pieces);
       span[2 * pieces] = zStart[i];
       span[2 * pieces + 1] = 1;
       pieces++;
       continue;
     }
-    work.load(nodePosition, node, segments);
     const worst = work.fit(TOLERANCE[level[i] === 0 ? 0 : 1], x, y, z);
     const part = (1 - zStart[i]) / segments;
     for (let k = 0; k < work.count; k++, pieces++) {
@@ -77,11 +79,11 @@ function enlarged<A extends Float32Array | Float64Array>(old: A, least: number):
   return larger;
 }
 
-/** A stem of one segment, as most twigs are: a straight cubic with even steps. */
+/** A stem of one segment, as most twigs are, or of no length: a straight cubic with even steps. */
 function straight(p: Float32Array, node: number, x: number, y: number, z: number, out: Float64Array, at: number): void {
   const a = 3 * node;
   const length = Math.sqrt((p[a + 3] - p[a]) ** 2 + (p[a + 4] - p[a + 1]) ** 2 + (p[a + 5] - p[a + 2]) ** 2);
-  const third = length / 3 / Math.sqrt(x * x + y * y + z * z);
+  const third = Math.max(length, SHORTEST) / 3 / Math.sqrt(x * x + y * y + z * z);
   for (let k = 0; k < 3; k++) {
     out[at + 3 * k] = (k + 1) * third * x;
     out[at + 3 * k + 1] = (k + 1) * third * y;
@@ -118,6 +120,8 @@ class StemFit {
   offset = new Float64Array(9 * 16);
   /** Segment at which each piece starts; the entry after the last piece is the number of segments. */
   end = new Int32Array(17);
+  /** Length of the polyline in metres. */
+  length = 0;
   private segments = 0;
   /** Nodes relative to the first, 3 each. */
   private points = new Float64Array(3 * 17);
@@ -125,7 +129,6 @@ class StemFit {
   private direction = new Float64Array(3 * 16);
   /** Sum of the turns before each segment. */
   private turn = new Float64Array(16);
-  private length = 0;
   private readonly trial = new Float64Array(FITTED);
 
   load(nodes: Float32Array, first: number, segments: number): void {

@@ -1,5 +1,8 @@
 /** What a fit asks for: at most this many reparametrisations (equations.md 7.2: 12 to 20). */
 const ITERATIONS = 16;
+/** After this many it ends too where the distance is still this many times what is enough: it will not get there. */
+const HOPE = 4;
+const HOPELESS = 4;
 /**
  * Weight of the pull towards handles of a third of the length. It decides what few points leave open, and keeps handles from
  * growing long for the last thousandth of the distance: with 1e-2 the four species need the fewest pieces.
@@ -17,7 +20,7 @@ let parameters = new Float64Array(64);
  * (tx, ty, tz) fixed and P1's distance and the whole of P2 free: fit (b) of equations.md 7.2.
  *
  * `ex, ey, ez` is the direction in which the points end, used where they say too little. Ends early when the largest
- * distance falls under `enough`. Writes to `out`; returns the largest distance in the points' unit.
+ * distance falls under `enough`, or is still far above it after a few steps. Writes to `out`; returns the largest distance in the points' unit.
  */
 export function fitCubicFree(
   points: Float64Array,
@@ -108,6 +111,7 @@ export function fitCubicFree(
     out[8] = p3z;
     worst = reparametrise(points, first, inner, s, out);
     if (worst <= enough || iteration === ITERATIONS) break;
+    if (iteration >= HOPE && worst > HOPELESS * enough) break;
   }
   out[9] = worst;
   return worst;

@@ -35,7 +35,10 @@ export interface Pieces {
   /** First piece of each stem; a stem's pieces are a chain, `next` leads along it, -1 ends it. */
   readonly firstOfStem: Int32Array;
   readonly next: Int32Array;
-  /** Largest distance between a stem's nodes and its pieces as a fraction of its length, by level. */
+  /**
+   * Largest distance between a stem's nodes and its pieces, both from the same base, as a fraction of the length that it covers;
+   * by level. (Placed, a stem stands off its nodes by as much again as its parent's curve does from the parent's.)
+   */
   readonly deviation: Float32Array;
 }
 

@@ -1,4 +1,5 @@
 import { allowedValues, foundText, isAllowed } from './allowed.ts';
+import { jsonFault } from './json-fault.ts';
 import { nearest } from './nearest.ts';
 import type { Parameter } from './parameter.ts';
 import type { Group } from './parameters.ts';
@@ -46,18 +47,16 @@ export function parseSpecies(input: unknown): ParsedSpecies {
   let value: unknown;
   try {
     value = JSON.parse(input);
-  } catch (error) {
-    return broken(`broken JSON ${placeOf(error, input)}`);
+  } catch {
+    return broken(`broken JSON ${placeOf(jsonFault(input), input)}`);
   }
   return readSpecies(value);
 }
 
-/** Where JSON.parse stopped, as line and column; engines word their messages differently, most name a position. */
-function placeOf(error: unknown, text: string): string {
-  const position = /position (\d+)/.exec(error instanceof Error ? error.message : '');
-  if (!position) return 'that ends too early or has a misplaced character';
-  const before = text.slice(0, Number(position[1])).split('\n');
-  return `at line ${before.length}, column ${before[before.length - 1].length + 1}`;
+function placeOf(index: number, text: string): string {
+  const before = text.slice(0, index).split('\n');
+  const place = `at line ${before.length}, column ${before[before.length - 1].length + 1}`;
+  return index === text.length ? `that ends too early, ${place}` : place;
 }
 
 function readSpecies(value: unknown): ParsedSpecies {

@@ -36,7 +36,7 @@ export interface Bent {
 }
 
 /** The edge e turned by adding `push` to its direction; its length is kept. Against the edge itself nothing can turn it. */
-function turnEdge(e: Vec3, push: Vec3): Vec3 {
+export function turnEdge(e: Vec3, push: Vec3): Vec3 {
   const l = length(e);
   const d = addScaled(e, push, l);
   const n = length(d);
@@ -68,7 +68,7 @@ export function paperBendStep(c: Cubic, beta: Vec3, w2: number, w3: number): Ben
 }
 
 /** The angle in radians between two edges, 0 where one has no length. Twin: shaders/wind/bend.glsl. */
-function turnAngle(a: Vec3, b: Vec3): number {
+export function turnAngle(a: Vec3, b: Vec3): number {
   const [m, n] = [length(a), length(b)];
   return m > 0 && n > 0 ? angleOfChord(distance(scale(a, 1 / m), scale(b, 1 / n))) : 0;
 }

@@ -81,20 +81,23 @@ export function wavesAt(wind: Wind, time: number, place = ORIGIN, out = createWa
   return appendWaves(out, wind, time, 1, place);
 }
 
+/** How hard wave i pushes at (x, y) along its direction, in metres: A ((1 + sin)/2)^k. Twin: shaders/wind/force.glsl. */
+export function wavePush({ waves, phases }: AnyWaves, i: number, x: number, y: number): number {
+  const s = sinTurns(phases[2 * i] * (waves[4 * i] * x + waves[4 * i + 1] * y) - phases[2 * i + 1]);
+  return waves[4 * i + 2] * power(0.5 + 0.5 * s, waves[4 * i + 3]);
+}
+
 /**
- * Force of the wind at (x, y) in tree space: metres of displacement, horizontal. Each wave pushes along its direction by
- * A ((1 + sin)/2)^k, never against it. Source: Skjermo 2007, equation 14 (errata E23 to E27). Twin: shaders/wind/force.glsl.
+ * Force of the wind at (x, y) in tree space: metres of displacement, horizontal. Each wave pushes along its direction, never
+ * against it. Source: Skjermo 2007, equation 14 (errata E23 to E27). Twin: shaders/wind/force.glsl.
  */
 export function windForce(w: AnyWaves, x: number, y: number): [x: number, y: number] {
   let fx = 0;
   let fy = 0;
   for (let i = 0; i < w.count; i++) {
-    const dx = w.waves[4 * i];
-    const dy = w.waves[4 * i + 1];
-    const s = sinTurns(w.phases[2 * i] * (dx * x + dy * y) - w.phases[2 * i + 1]);
-    const f = w.waves[4 * i + 2] * power(0.5 + 0.5 * s, w.waves[4 * i + 3]);
-    fx += dx * f;
-    fy += dy * f;
+    const push = wavePush(w, i, x, y);
+    fx += w.waves[4 * i] * push;
+    fy += w.waves[4 * i + 1] * push;
   }
   return [fx, fy];
 }

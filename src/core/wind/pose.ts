@@ -1,5 +1,5 @@
 import { bezierPoint, type Cubic } from '../math/bezier.ts';
-import { handlesOf, projectedHandlesOf, sectionFrame } from '../math/frames.ts';
+import { type Handles, handlesOf, projectedHandlesOf, sectionFrame } from '../math/frames.ts';
 import { matrixFromQuaternion, type Quaternion } from '../math/quaternion.ts';
 import { add, type Mat3, multiply, transform, type Vec3 } from '../math/vec3.ts';
 import { type BendModel, type BendWeights, bendPiece } from './bend.ts';
@@ -26,6 +26,10 @@ export interface Pose {
   angle: number;
 }
 
+/** The handles of a parent; `paper`: in the printed form, for teaching. Twin: shaders/wind/pose.glsl. */
+export const parentHandles = (parent: Cubic, o: Vec3, paper: boolean): Handles =>
+  paper ? projectedHandlesOf(parent, o) : handlesOf(parent, o);
+
 /** Control points and orientation vector of a piece whose base frame is `frame` and whose P0 is `at`. Twin: shaders/wind/pose.glsl. */
 export const placePiece = (at: Vec3, frame: Mat3, rest: RestPiece): Pose => ({
   curve: {
@@ -43,8 +47,7 @@ export const placePiece = (at: Vec3, frame: Mat3, rest: RestPiece): Pose => ({
  * Source: Skjermo 2007, 4.2 (errata E33, E34); equations.md section 4. Twin: shaders/wind/pose.glsl.
  */
 export function attachPiece(parent: Cubic, parentO: Vec3, rest: RestPiece, paper = false): Pose {
-  const handles = paper ? projectedHandlesOf(parent, parentO) : handlesOf(parent, parentO);
-  const section = sectionFrame(parent, handles, rest.v);
+  const section = sectionFrame(parent, parentHandles(parent, parentO, paper), rest.v);
   return placePiece(bezierPoint(parent, rest.v), multiply(section, matrixFromQuaternion(rest.orientation)), rest);
 }
 

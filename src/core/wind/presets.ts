@@ -39,10 +39,10 @@ const wind = (name: string, strength: number, rows: readonly Row[]): Wind => ({
  * in unison. Peaks are chosen so that a branch of 1 to 4 m bends by a few degrees in a breeze and by up to 35 in a gale.
  */
 const BREEZE: readonly Row[] = [
-  [0.055, 15, 34, 4.6, 2.4, 0],
-  [0.028, -24, 15, 4.1, 1.8, 0.37],
-  [0.018, 52, 8.5, 3.7, 1.6, 0.71],
-  [0.012, -63, 6, 4.3, 1.5, 0.18],
+  [0.07, 15, 34, 4.6, 2.4, 0],
+  [0.035, -24, 15, 4.1, 1.8, 0.37],
+  [0.022, 52, 8.5, 3.7, 1.6, 0.71],
+  [0.015, -63, 6, 4.3, 1.5, 0.18],
 ];
 
 /** The winds to choose from, by name, from weakest to strongest. */

@@ -63,7 +63,7 @@ class GrowPanel extends Part {
 
   private levels(): TemplateResult {
     const { doc, session, editor } = this;
-    const count = session.tree?.species.tree.levels ?? 3;
+    const count = session.tree?.figures.levels ?? 3;
     const options = Array.from({ length: count }, (_, i) => ({
       value: String(i + 1),
       label: html`<span class="chip" data-level=${Math.min(i, 3)}></span>${levelNames[i] ?? `Level ${i}`}`,

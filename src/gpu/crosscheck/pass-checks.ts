@@ -81,7 +81,8 @@ export function checkPass(renderer: WebGLRenderer, name: string, tree: PackedTre
     const samples = moved > 1e-3 ? tree.pieceCount : 0;
     const note = `of the tree’s height; the wind moves tips by ${moved.toFixed(3)} of it`;
     checks.push(check(`${title}, step ${step}`, 4 * samples, points, 2e-5, note));
-    checks.push(check(`${title}, step ${step}, O`, samples, orientation, 1e-4, 'radians'));
+    // Equation 8's projection, which the paper's forms use, enlarges rounding without bound where edges meet near a right angle.
+    checks.push(check(`${title}, step ${step}, O`, samples, orientation, wind.paper ? 1e-3 : 1e-4, 'radians'));
   }
   const jumping = new WindPass(textures);
   jumping.update(renderer, steps * STEP, source);

@@ -13,7 +13,7 @@ import { SHIPPED, shippedSpecies } from './shipped-species.ts';
 const HASHES = {
   'quaking-aspen': '9491fc65',
   'black-tupelo': '0cb6b63b',
-  'weeping-willow': 'f347ad8e',
+  'weeping-willow': '9a92c009',
   'california-black-oak': '7b65e4db',
 } as const;
 

@@ -27,6 +27,12 @@ describe('spreadOrder', () => {
     }
   });
 
+  it('draws its first eight bundles from eight different eighths', () => {
+    const order = spreadOrder(65536);
+    const eighths = Array.from({ length: 8 }, (_, bundle) => Math.floor(order[bundle * BUNDLE] / 8192));
+    expect(eighths.sort()).toEqual([0, 1, 2, 3, 4, 5, 6, 7]);
+  });
+
   it('keeps the 64 things of an instance together', () => {
     const order = spreadOrder(65536);
     for (let bundle = 0; bundle < order.length; bundle += BUNDLE) {

@@ -15,6 +15,8 @@ export function expectOrder(pieces: Pieces, tree: Tree): void {
     if (!(depthStart[d] <= i && i < depthStart[d + 1])) wrong++;
     if (parent[i] < 0 ? d !== 0 : parent[i] >= i || depth[parent[i]] !== d - 1) wrong++;
     if (i > depthStart[d] && parent[i] < parent[i - 1]) wrong++;
+    // Children of one piece keep the order of the stems.
+    if (i > depthStart[d] && parent[i] === parent[i - 1] && stem[i] <= stem[i - 1]) wrong++;
     if (pieces.level[i] !== tree.stems.level[stem[i]]) wrong++;
   }
   expect(wrong).toBe(0);

@@ -148,6 +148,22 @@ describe('fitPieces on trees made by hand', () => {
     expect(Array.from(pieces.parent)).toEqual([-1, -1, 0]);
   });
 
+  it('gives a stem without length the direction of its frame', () => {
+    const tree = treeOf([
+      { parent: -1, nodes: polyline([0, 0, 0], upright, 1, [0, 0.2]) },
+      { parent: 0, parentZ: 1, nodes: polyline([0, 0, 2], upright, 1, [0]) },
+      { parent: 0, parentZ: 0.5, nodes: polyline([0, 0, 1], upright, 1, [0, 0, 0]) },
+    ]);
+    const { nodePosition, nodeStart } = tree.stems;
+    nodePosition.fill(0, 3 * nodeStart[1]);
+    const pieces = fitPieces(tree);
+    expect(pieces.count).toBe(3);
+    for (const array of [pieces.control, pieces.orientation, pieces.local, pieces.arc, pieces.v]) {
+      expect(array.every(Number.isFinite)).toBe(true);
+    }
+    expect(restError(pieces).position).toBeLessThan(1e-6);
+  });
+
   it('takes a tree without stems', () => {
     const pieces = fitPieces(treeOf([]));
     expect(pieces.count).toBe(0);

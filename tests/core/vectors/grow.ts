@@ -1,6 +1,8 @@
 import { attractAsPrinted, attractUp, curveUp, declinationOf } from '../../../src/core/grow/attraction.ts';
 import { curveDeltas, stemPolyline } from '../../../src/core/grow/curve.ts';
 import type { Frame } from '../../../src/core/grow/frame.ts';
+import { leafBend } from '../../../src/core/grow/leaf-bend.ts';
+import { insideEnvelope } from '../../../src/core/grow/pruning.ts';
 import { radiusChild } from '../../../src/core/grow/radius.ts';
 import { splitSequence, spreadAngleDeg } from '../../../src/core/grow/splits.ts';
 import {
@@ -12,7 +14,7 @@ import {
   mainBranchLength,
   shapeRatio,
 } from '../../../src/core/grow/stem-shape.ts';
-import type { Mat3 } from '../../../src/core/math/vec3.ts';
+import type { Mat3, Vec3 } from '../../../src/core/math/vec3.ts';
 import { type Adapters, transposed } from './case.ts';
 
 const RADIANS = Math.PI / 180;
@@ -27,6 +29,16 @@ interface Lengths {
   off: number[];
   Lbase: number;
   shape: number;
+}
+
+interface Envelope {
+  points: Vec3[];
+  scale: number;
+  base: number;
+  width: number;
+  peak: number;
+  lo: number;
+  hi: number;
 }
 
 interface Counts {
@@ -107,6 +119,24 @@ export const grow: Adapters = {
   attraction_up_general: ({ R, att, nres }: { R: Mat3; att: number; nres: number }) => {
     const f = frameOf(R);
     attractUp(f, att, nres, 0);
+    return { R: rowsOf(f) };
+  },
+  inside: ({ points, scale, base, width, peak, lo, hi }: Envelope) => ({
+    inside: points.map(([x, y, z]) =>
+      insideEnvelope(x, y, z, {
+        scale,
+        width,
+        baseSize: base,
+        widthPeak: peak,
+        powerLow: lo,
+        powerHigh: hi,
+        pruneBase: false,
+      }),
+    ),
+  }),
+  leaf_bend: ({ R, pos, bend }: { R: Mat3; pos: Vec3; bend: number }) => {
+    const f = frameOf(R);
+    leafBend(f, pos[0], pos[1], bend);
     return { R: rowsOf(f) };
   },
 };

@@ -32,8 +32,8 @@ const force = (count: number): CheckProgram => {
   return {
     name: `force of ${count}`,
     fragment: forceFragment,
+    defines: { WIND_WAVES: count > 4 ? 8 : 4 },
     uniforms: {
-      windCount: { value: count },
       windWaves: { value: waves.waves },
       windPhases: { value: waves.phases },
     },
@@ -206,6 +206,7 @@ const pose = (name: string, model: BendModel): CheckProgram => ({
 
 /** The three stages of the wind pass, function by function. */
 export const windPrograms: readonly CheckProgram[] = [
+  force(2),
   force(4),
   force(8),
   ...Object.entries(MODELS).map(([name, model]) => bend(name, model)),

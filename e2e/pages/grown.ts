@@ -1,0 +1,33 @@
+import { Box3, Vector3 } from 'three';
+import { grow } from '../../src/core/grow/grow.ts';
+import { packTree } from '../../src/core/pack/pack.ts';
+import type { PackedTree } from '../../src/core/pack/packed.ts';
+import { attachLeaves } from '../../src/core/pieces/attach-leaves.ts';
+import { fitPieces } from '../../src/core/pieces/fit-pieces.ts';
+import type { Species } from '../../src/core/species/species.ts';
+
+/** A tree grown in the page, without the worker. */
+export interface Grown {
+  readonly species: Species;
+  readonly packed: PackedTree;
+  /** Box at rest, metres, y up. */
+  readonly box: Box3;
+}
+
+/** A shipped species by name, changed by `edit`. */
+export async function grown(name: string, seed: number, edit?: (species: Species) => Species): Promise<Grown> {
+  const read = (await (await fetch(`/species/${name}.json`)).json()) as Species;
+  const species = edit ? edit(read) : read;
+  const tree = grow(species, seed);
+  const pieces = fitPieces(tree);
+  const packed = packTree(tree, pieces, attachLeaves(tree, pieces));
+  const [x0, y0, z0, x1, y1, z1] = packed.bounds;
+  return { species, packed, box: new Box3(new Vector3(x0, z0, -y1), new Vector3(x1, z1, -y0)) };
+}
+
+/** Fewer branches and leaves: what software GL draws in a test. */
+export const small = (species: Species): Species => ({
+  ...species,
+  levels: species.levels.map((level, i) => ({ ...level, branches: i === 1 ? 14 : i === 2 ? 8 : level.branches })),
+  leaves: { ...species.leaves, count: 8 },
+});

@@ -1,0 +1,140 @@
+import { Color, Vector4, type WebGLRenderer, WebGLRenderTarget } from 'three';
+import type { PackedTree } from '../../core/pack/packed.ts';
+import type { Wind } from '../../core/wind/wind.ts';
+import { CpuPoser } from '../cpu-poser.ts';
+import { TreeTextures } from '../tree-textures.ts';
+import { STEP, WindPass } from '../wind-pass.ts';
+import { windSource } from '../wind-source.ts';
+import { poseDistance } from './pass-checks.ts';
+import { type Check, check } from './report.ts';
+
+const SOME_STEP = 33;
+
+/** Every setting of a renderer that a pass might disturb, and the state of GL that three keeps in mind for it. */
+function settingsOf(renderer: WebGLRenderer): unknown[] {
+  const gl = renderer.getContext();
+  const { info, shadowMap, xr } = renderer;
+  return [
+    renderer.getRenderTarget(),
+    renderer.getActiveCubeFace(),
+    renderer.getActiveMipmapLevel(),
+    ...renderer.getViewport(new Vector4()).toArray(),
+    ...renderer.getScissor(new Vector4()).toArray(),
+    renderer.getScissorTest(),
+    renderer.getClearColor(new Color()).getHex(),
+    renderer.getClearAlpha(),
+    renderer.autoClear,
+    renderer.toneMapping,
+    renderer.outputColorSpace,
+    xr.enabled,
+    shadowMap.autoUpdate,
+    shadowMap.needsUpdate,
+    info.autoReset,
+    info.render.calls,
+    info.render.triangles,
+    ...gl.getParameter(gl.VIEWPORT),
+    gl.isEnabled(gl.SCISSOR_TEST),
+    gl.getParameter(gl.FRAMEBUFFER_BINDING),
+  ];
+}
+
+/** A pass leaves the renderer as it found it: unusual settings, drawing to the canvas and to a target. */
+export function checkSettings(renderer: WebGLRenderer, tree: PackedTree, wind: Wind): Check {
+  const textures = new TreeTextures(tree, true);
+  const pass = new WindPass(textures);
+  const target = new WebGLRenderTarget(8, 4);
+  renderer.setViewport(1, 2, 3, 4);
+  renderer.setScissor(2, 1, 5, 6);
+  renderer.setScissorTest(true);
+  renderer.setClearColor(0x123456, 0.5);
+  renderer.shadowMap.needsUpdate = true;
+  let samples = 0;
+  let changed = 0;
+  for (const current of [null, target]) {
+    renderer.setRenderTarget(current);
+    const before = settingsOf(renderer);
+    pass.update(renderer, ++samples, windSource(wind));
+    const after = settingsOf(renderer);
+    changed += before.filter((value, i) => value !== after[i]).length;
+    samples += before.length;
+  }
+  renderer.setRenderTarget(null);
+  renderer.setScissorTest(false);
+  renderer.shadowMap.needsUpdate = false;
+  target.dispose();
+  pass.dispose();
+  textures.dispose();
+  return check('wind pass, settings of the renderer', samples, changed, 0, 'settings that it changed');
+}
+
+/** Without float targets the CPU poses the tree: it must be the tree that the GPU makes. */
+export function checkCpuPoser(renderer: WebGLRenderer, name: string, tree: PackedTree, wind: Wind): Check {
+  const [cpu, gpu] = [false, true].map((gpuPose) => {
+    const textures = new TreeTextures(tree, gpuPose);
+    const poser = gpuPose ? new WindPass(textures) : new CpuPoser(textures);
+    poser.update(renderer, SOME_STEP * STEP, windSource(wind));
+    const pose = poser.read(renderer);
+    poser.dispose();
+    textures.dispose();
+    return pose;
+  });
+  const { points } = poseDistance(tree, cpu, gpu);
+  return check(
+    `pose on the CPU, ${name}`,
+    4 * tree.pieceCount,
+    points,
+    2e-5,
+    'of the tree’s height; against the GPU’s',
+  );
+}
+
+/** One event of the canvas, or nothing after `milliseconds`. */
+const eventOf = (canvas: HTMLCanvasElement, name: string, milliseconds = 5000): Promise<boolean> =>
+  new Promise((resolve) => {
+    const timer = setTimeout(() => resolve(false), milliseconds);
+    canvas.addEventListener(
+      name,
+      () => {
+        clearTimeout(timer);
+        resolve(true);
+      },
+      { once: true },
+    );
+  });
+
+/**
+ * A lost and restored context gives float targets back empty: the pose afterwards must be the one before, in both modes.
+ * No sample where this browser cannot lose a context on purpose.
+ */
+export async function checkContextLoss(renderer: WebGLRenderer, tree: PackedTree, wind: Wind): Promise<Check[]> {
+  const textures = new TreeTextures(tree, true);
+  const pass = new WindPass(textures);
+  const sources = [windSource({ ...wind, pose: 'exact' }), windSource({ ...wind, pose: 'lagged' })];
+  const pose = (i: number) => {
+    pass.update(renderer, SOME_STEP * STEP, sources[i]);
+    return pass.read(renderer);
+  };
+  const before = sources.map((_, i) => pose(i));
+  const extension = renderer.getContext().getExtension('WEBGL_lose_context');
+  const canvas = renderer.domElement;
+  let restored = false;
+  if (extension) {
+    const lost = eventOf(canvas, 'webglcontextlost');
+    extension.loseContext();
+    if (await lost) {
+      pass.update(renderer, SOME_STEP * STEP, sources[0]); // a frame that falls into the gap does no harm
+      await new Promise((resolve) => setTimeout(resolve)); // not from within the event: browsers refuse that
+      const back = eventOf(canvas, 'webglcontextrestored');
+      extension.restoreContext();
+      restored = await back;
+    }
+  }
+  const checks = sources.map(({ pose: mode }, i) => {
+    const { points } = restored ? poseDistance(tree, pose(i), before[i]) : { points: Number.NaN };
+    const name = `wind pass, ${mode}, after a lost context`;
+    return check(name, restored ? tree.pieceCount : 0, points, 0, 'against the pose before: exact');
+  });
+  pass.dispose();
+  textures.dispose();
+  return checks;
+}

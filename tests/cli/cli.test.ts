@@ -1,0 +1,152 @@
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { run } from '../../src/cli/run.ts';
+import type { TreeStats } from '../../src/core/grow/stats.ts';
+
+const root = join(import.meta.dirname, '../..');
+const aspen = join(root, 'public/species/quaking-aspen.json');
+let folder = '';
+beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), 'windgrove-'));
+});
+afterAll(() => rmSync(folder, { recursive: true }));
+
+function call(...args: string[]): { status: number; out: string; err: string } {
+  const out: string[] = [];
+  const err: string[] = [];
+  const status = run(args, { out: (line) => out.push(line), err: (line) => err.push(line) });
+  return { status, out: out.join('\n'), err: err.join('\n') };
+}
+
+function file(name: string, change: (species: Record<string, never>) => unknown): string {
+  const species = JSON.parse(readFileSync(aspen, 'utf8'));
+  const path = join(folder, name);
+  const text = change(species);
+  writeFileSync(path, typeof text === 'string' ? text : JSON.stringify(species));
+  return path;
+}
+
+describe('stats', () => {
+  test('prints the figures as JSON', () => {
+    const { status, out, err } = call('stats', 'quaking-aspen', '--seed', '4', '--json');
+    expect([status, err]).toEqual([0, '']);
+    const stats = JSON.parse(out) as TreeStats;
+    expect(Object.keys(stats)).toEqual([
+      'species',
+      'seed',
+      'height',
+      'radius',
+      'levels',
+      'leaves',
+      'pieces',
+      'maxDepth',
+      'bytes',
+      'milliseconds',
+    ]);
+    expect(Object.keys(stats.levels[1])).toEqual([
+      'level',
+      'stems',
+      'clones',
+      'segments',
+      'pieces',
+      'length',
+      'baseRadius',
+      'declinationDeg',
+    ]);
+    expect(stats).toMatchObject({ species: 'Quaking Aspen', seed: 4 });
+    expect(stats.levels.map(({ level, stems }) => [level, stems]).slice(0, 2)).toEqual([
+      [0, 1],
+      [1, 30],
+    ]);
+    expect(stats.bytes).toBeGreaterThan(10_000);
+    expect(stats.milliseconds).toBeGreaterThan(0);
+  });
+
+  test('prints the same figures to read, for a file too, with seed 1 where none is given', () => {
+    const { status, out } = call('stats', aspen);
+    const stats = JSON.parse(call('stats', 'Quaking-Aspen', '--seed', '1', '--json').out) as TreeStats;
+    expect(status).toBe(0);
+    expect(out).toContain('Quaking Aspen, seed 1');
+    expect(out).toContain(`height ${stats.height.toFixed(2)} m`);
+    expect(out).toContain(`${stats.leaves} leaves, ${stats.pieces} pieces`);
+  });
+
+  test('a tree beyond the budget ends with its message', () => {
+    const huge = file('huge.json', ({ levels }: Record<string, { branches: number }[]>) => {
+      levels[1].branches = 50_000;
+      levels[2].branches = 50_000;
+    });
+    const { status, out, err } = call('stats', huge);
+    expect([status, out]).toEqual([1, '']);
+    expect(err).toMatch(/asks for at least .* stems; the limit is 400\u2009000.*levels\[2\]\.branches/);
+  });
+
+  test.each([
+    [['stats', 'aspen'], 1, 'Did you mean quaking-aspen?'],
+    [['stats', 'black-tulepo'], 1, 'Did you mean black-tupelo?'],
+    [['stats', 'no/such.json'], 1, 'no/such.json: there is no such file.'],
+    [['stats', root], 1, 'is a folder'],
+    [['stats'], 2, 'stats takes one SPECIES'],
+    [['stats', 'a', 'b'], 2, 'stats takes one SPECIES'],
+    [['stats', 'quaking-aspen', '--seed', 'x'], 2, '--seed: found "x"; allowed: a whole number from 0 to 4294967295.'],
+    [['stats', 'quaking-aspen', '--seed', '4294967296'], 2, '--seed: found'],
+    [['stats', 'quaking-aspen', '--sead', '1'], 2, '--sead'],
+    [['validate'], 2, 'validate takes at least one FILE'],
+    [['validate', aspen, '--json'], 2, 'validate takes no options'],
+    [['plant'], 2, 'There is no command "plant"'],
+    [[], 2, 'Say what to do'],
+  ])('%j ends with %i', (args, status, message) => {
+    const result = call(...args);
+    expect(result).toMatchObject({ status, out: '' });
+    expect(result.err).toContain(message);
+  });
+});
+
+describe('validate', () => {
+  test('says of each file whether it is valid', () => {
+    const others = ['black-tupelo', 'weeping-willow', 'california-black-oak'].map((name) =>
+      join(root, `public/species/${name}.json`),
+    );
+    const { status, out, err } = call('validate', aspen, ...others);
+    expect([status, err]).toEqual([0, '']);
+    expect(out.split('\n')).toEqual([aspen, ...others].map((path) => `${path}: a valid species`));
+  });
+
+  test('names the path of every fault and ends with 1', () => {
+    const bad = file('bad.json', ({ tree, levels }: Record<string, never>) => {
+      Object.assign(tree, { scale: 'tall' });
+      Object.assign(levels[1], { curveRes: -1, colour: 'red' });
+    });
+    const broken = file('broken.json', () => '{"format": ');
+    const { status, out, err } = call('validate', bad, aspen, broken, join(folder, 'none.json'));
+    expect(status).toBe(1);
+    expect(out).toBe(`${aspen}: a valid species`);
+    expect(err.split('\n')).toEqual([
+      `${bad}: tree.scale: found the text "tall"; allowed: a number from 0.05 to 150 metres.`,
+      expect.stringContaining(`${bad}: levels[1].colour: found an unknown key`),
+      `${bad}: levels[1].curveRes: found -1; allowed: a whole number from 1 to 200.`,
+      expect.stringMatching(/broken\.json: The file: found broken JSON/),
+      expect.stringMatching(/none\.json: there is no such file\.$/),
+    ]);
+  });
+});
+
+test('--help and --version', () => {
+  for (const args of [['--help'], ['-h'], ['help'], ['stats', '--help']]) {
+    expect(call(...args)).toMatchObject({ status: 0, err: '' });
+    expect(call(...args).out).toContain('windgrove validate FILE...');
+  }
+  const { version } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+  expect(call('--version')).toEqual({ status: 0, out: version, err: '' });
+});
+
+test('the file itself runs in Node and hands on the exit status', () => {
+  const main = join(root, 'src/cli/main.ts');
+  const node = (...args: string[]) =>
+    execFileSync(process.execPath, ['--import', 'tsx', main, ...args], { cwd: root, stdio: 'pipe' });
+  expect(node('validate', aspen).toString()).toContain('a valid species');
+  expect(() => node('stats', 'nothing')).toThrow(expect.objectContaining({ status: 1 }));
+}, 30_000);

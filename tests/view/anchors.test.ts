@@ -1,0 +1,43 @@
+import { ShaderLib } from 'three';
+import { describe, expect, it } from 'vitest';
+import { BRANCH_DEPTH, BRANCH_STANDARD } from '../../src/view/branch-shader.ts';
+import { GROUND_INJECTION } from '../../src/view/ground.ts';
+import { type Injection, patched } from '../../src/view/inject.ts';
+import { LEAF_DEPTH, LEAF_STANDARD } from '../../src/view/leaf-shader.ts';
+import { GRASS_INJECTION } from '../../src/view/meadow.ts';
+
+// The deformer lives in three's own shaders, at lines that three is free to move: this test says so the day it does.
+const CASES: readonly [string, keyof typeof ShaderLib, Injection][] = [
+  ['branches in the standard material', 'standard', BRANCH_STANDARD],
+  ['branches in the physical material', 'physical', BRANCH_STANDARD],
+  ['branches in the depth material', 'depth', BRANCH_DEPTH],
+  ['branches in the distance material', 'distance', BRANCH_DEPTH],
+  ['leaves in the standard material', 'standard', LEAF_STANDARD],
+  ['leaves in the depth material', 'depth', LEAF_DEPTH],
+  ['leaves in the distance material', 'distance', LEAF_DEPTH],
+  ['the ground', 'lambert', GROUND_INJECTION],
+  ['the grass', 'lambert', GRASS_INJECTION],
+];
+
+describe('anchors in the installed three', () => {
+  it.each(CASES)('%s', (_, name, { vertex, fragment }) => {
+    const shader = ShaderLib[name];
+    const made = { vertex: patched(shader.vertexShader, vertex), fragment: patched(shader.fragmentShader, fragment) };
+    for (const { after, before, instead } of vertex) {
+      for (const text of [after, before, instead]) if (text) expect(made.vertex).toContain(text);
+    }
+    for (const { after } of fragment) if (after) expect(made.fragment).toContain(after);
+  });
+
+  it('finds the equation of direct light that the leaves wrap', () => {
+    const chunk = ShaderLib.standard.fragmentShader;
+    expect(chunk).toContain('#include <lights_physical_pars_fragment>');
+    expect(LEAF_STANDARD.fragment.some(({ after }) => after?.includes('RE_Direct_Physical'))).toBe(true);
+  });
+
+  it('names an anchor that is missing', () => {
+    expect(() => patched('void main() {}', [{ anchor: '#include <begin_vertex>' }])).toThrow(
+      /<begin_vertex> found 0 times/,
+    );
+  });
+});
