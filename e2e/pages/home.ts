@@ -225,7 +225,7 @@ const home = {
       return windTree.stats();
     };
     const far = stats(120);
-    const near = stats(14);
+    const near = stats(5);
     windTree.levelsShown = 1;
     const trunk = stats(14);
     windTree.levelsShown = 4;

@@ -10,7 +10,11 @@ const text = (name: string, otherwise: string) => q.get(name) ?? otherwise;
 const number = (name: string, otherwise: number) => Number(q.get(name) ?? otherwise);
 const canvas = document.querySelector('canvas') as HTMLCanvasElement;
 const { species, packed, box } = await grown(text('species', 'quaking-aspen'), number('seed', 1));
-const stage = new Stage(canvas, { antialias: q.has('aa'), shadows: number('shadows', 1024) });
+const stage = new Stage(canvas, {
+  antialias: q.has('aa'),
+  environment: q.has('environment'),
+  shadows: number('shadows', 1024),
+});
 stage.resize(innerWidth, innerHeight, 1);
 stage.setDark(q.has('dark'));
 const windTree = new WindTree();

@@ -9,7 +9,7 @@ uniform vec3 crownRadii;
 float crownSky(vec3 p) {
   vec3 d = (p - crownCentre) / crownRadii;
   float depth = smoothstep(0.15, 1.0, length(d));
-  return mix(0.38, 1.0, depth) * mix(0.8, 1.0, smoothstep(-1.1, 0.5, d.z));
+  return mix(0.45, 1.0, depth) * mix(0.8, 1.0, smoothstep(-1.1, 0.5, d.z));
 }
 
 // Normal of the ellipsoid through the point, in tree space.

@@ -23,6 +23,6 @@ vec3 leafDiffuse(bool front) {
   c *= 1.0 - 0.10 * vein;
   c = mix(c, c * 1.35 + 0.02, max(rib, 0.35 * vein));
 #endif
-  leafThrough = mix(leafGlow, leafColour * 1.6, 0.5) * value;
+  leafThrough = mix(leafGlow, leafColour * 1.6, 0.4) * value;
   return mix(c, levelTint.rgb, levelTint.a);
 }

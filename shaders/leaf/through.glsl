@@ -11,7 +11,7 @@ void RE_Direct_Leaf(
   float behind = saturate(-dot(geometryNormal, directLight.direction));
   float towards = saturate(-dot(geometryViewDir, directLight.direction));
   towards *= towards;
-  float through = 0.42 * behind + 0.5 * towards * towards * (0.35 + 0.65 * behind);
+  float through = 0.5 * behind + 0.5 * towards * towards * (0.35 + 0.65 * behind);
   reflectedLight.directDiffuse += directLight.color * leafThrough * (through * vLeaf.y * RECIPROCAL_PI);
 }
 #undef RE_Direct

@@ -4,10 +4,7 @@ out vec3 vGround;
 out vec2 vBlade;
 
 uniform float grassScale;
-uniform vec2 grassLean;
 
 vec3 grassPoint() {
-  float bend = position.y * position.y * 9.0;
-  vec2 offset = normal.xy + grassLean * bend * (0.6 + normal.z);
-  return vec3(position.x * grassScale + offset.x, position.y, position.z * grassScale + offset.y);
+  return vec3(position.x * grassScale + normal.x, position.y, position.z * grassScale + normal.y);
 }

@@ -6,7 +6,7 @@ uniform vec3 grassLight;
 uniform vec3 grassDark;
 uniform vec3 earth;
 uniform vec3 groundHaze;
-// Where the ground begins and ends to fade, radius of the trunk's foot, radius of the crown above it; metres.
+// How far from the eye the ground begins and ends to fade, radius of the trunk's foot, radius of the crown above it; metres.
 uniform vec4 groundReach;
 
 vec3 groundDiffuse() {
@@ -32,5 +32,5 @@ float groundSky() {
 }
 
 float groundFade() {
-  return smoothstep(groundReach.x, groundReach.y, length(vGround.xz));
+  return smoothstep(groundReach.x, groundReach.y, distance(vGround, cameraPosition));
 }

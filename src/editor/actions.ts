@@ -119,6 +119,10 @@ export function createActions(
     dismiss(id: number): void {
       session.setState({ notices: session.getState().notices.filter((n) => n.id !== id) });
     },
+    /** Takes back a message whose cause is gone. */
+    retract(title: string): void {
+      session.setState({ notices: session.getState().notices.filter((n) => n.title !== title) });
+    },
     say,
     time: () => clock.time,
     share: services.share,

@@ -4,7 +4,7 @@ import { Clock } from '../view/clock.ts';
 import { createActions } from './actions.ts';
 import { Address } from './address.ts';
 import { listenToDrops } from './drop.ts';
-import { createDocument, type Editor } from './editor.ts';
+import { createDocument, type Editor, watch } from './editor.ts';
 import { firstDocument } from './first-document.ts';
 import { followDocument } from './follow-document.ts';
 import { Grower } from './grower.ts';
@@ -28,6 +28,8 @@ const HINTS = {
   first: 'Drag to walk around the tree. Pull a slider of the wind, and every branch answers.',
   still: 'Your system asks for less motion, so time stands still. Press play, or Space, to let it run.',
 };
+
+const LOST = 'The graphics card was taken away; the picture comes back with it';
 
 /** Starts the editor: the picture in `host`, the interface in `place`. */
 export async function boot(host: HTMLElement, place: HTMLElement): Promise<void> {
@@ -97,7 +99,8 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
     onChange: () => loop.invalidate(),
     onCamera: (camera) => actions.setCamera(camera),
     onLost: (lost) => {
-      if (lost) actions.notify('warning', 'The graphics card was taken away; the picture comes back with it');
+      if (lost) actions.notify('warning', LOST);
+      else actions.retract(LOST);
       loop.invalidate();
     },
   });
@@ -144,6 +147,16 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
     restart();
     tellFaults(next.faults);
   });
+  watch(
+    session,
+    (s) => s.tree,
+    (tree) => {
+      if (!tree) return;
+      window.document.title = `${tree.species.name} · Windgrove`;
+      const label = `${tree.species.name}, seed ${tree.seed}. Arrow keys walk around it, plus and minus come closer and go away.`;
+      picture.canvas.setAttribute('aria-label', label);
+    },
+  );
   listenToKeys(editor);
   listenToOrbitKeys(picture, actions);
   listenToDrops(openFile);
@@ -160,6 +173,7 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
   else if (!preferences.visited) session.setState({ hint: HINTS.first });
   preferences.visited = true;
   savePreferences(preferences);
+  if (session.getState().still) document.setState({ paused: true });
   restart();
   await grower.grow();
 }

@@ -1,24 +1,19 @@
-import { Box3, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import type { CameraPose } from '../core/link/link.ts';
-import { POSE_TARGETS, TEXEL } from '../core/pack/layout.ts';
 import type { Species } from '../core/species/species.ts';
 import type { Wind } from '../core/wind/wind.ts';
 import { Stage } from '../view/stage.ts';
 import { WindTree } from '../view/wind-tree.ts';
 import type { GrownTree } from '../worker/protocol.ts';
-import { placeOf, poseOf } from './camera-pose.ts';
+import { boxOf, placeOf, poseOf } from './camera-pose.ts';
 import { GpuTimer } from './gpu-timer.ts';
-import { onScreen } from './on-screen.ts';
+import { onScreen, tipsOf } from './on-screen.ts';
 import type { Insets, OnScreen, Picture, PictureEvents, Show } from './picture.ts';
 import type { FrameFigures } from './session.ts';
 
 /** Milliseconds of a frame on most screens, and the part of the camera's swing that is left after one. */
 const FRAME = 1000 / 60;
 const SWING = 0.9;
-
-/** Tree space is z-up, the picture y-up. */
-const boxOf = ([x0, y0, z0, x1, y1, z1]: ArrayLike<number> & Iterable<number>): Box3 =>
-  new Box3(new Vector3(x0, z0, -y1!), new Vector3(x1, z1, -y0!));
 
 /** The picture that moves: three's stage with one tree in the wind. */
 export class LivePicture implements Picture {
@@ -153,11 +148,7 @@ export class LivePicture implements Picture {
   tips(): Float32Array {
     const pose = this.tree.readPose(this.stage.renderer);
     if (!pose || !this.grown) return new Float32Array(0);
-    const { pieceCount, restPose } = this.grown.packed;
-    const first = POSE_TARGETS.P3 * restPose.width * restPose.height * TEXEL;
-    const tips = new Float32Array(3 * pieceCount);
-    for (let i = 0; i < pieceCount; i++) tips.set(pose.subarray(first + TEXEL * i, first + TEXEL * i + 3), 3 * i);
-    return tips;
+    return tipsOf(this.grown.packed, pose);
   }
 
   onScreen(): OnScreen {
@@ -186,7 +177,7 @@ export class LivePicture implements Picture {
   private place(): void {
     const { stage, rest, wished } = this;
     if (this.grown) {
-      const box = boxOf(this.grown.packed.bounds);
+      const box = boxOf(this.grown.packed);
       if (wished) stage.setSubject(box);
       else stage.frame(box);
     }

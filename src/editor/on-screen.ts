@@ -1,12 +1,20 @@
 import { type Object3D, type PerspectiveCamera, Vector3 } from 'three';
 import { bezierPoint, type Cubic } from '../core/math/bezier.ts';
 import type { Vec3 } from '../core/math/vec3.ts';
-import { TEXEL } from '../core/pack/layout.ts';
+import { POSE_TARGETS, TEXEL } from '../core/pack/layout.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { OnScreen } from './picture.ts';
 
 /** Points along a piece. */
 const POINTS = 9;
+
+/** Tips (P3) of all pieces of a pose (laid out as `restPose`), 3 a piece, tree space. */
+export function tipsOf({ pieceCount, restPose }: PackedTree, pose: Float32Array): Float32Array {
+  const first = POSE_TARGETS.P3 * restPose.width * restPose.height * TEXEL;
+  const tips = new Float32Array(3 * pieceCount);
+  for (let i = 0; i < pieceCount; i++) tips.set(pose.subarray(first + TEXEL * i, first + TEXEL * i + 3), 3 * i);
+  return tips;
+}
 
 /** Where the pieces of a pose (laid out as `restPose`) are on the screen, seen by `camera` in `canvas`. */
 export function onScreen(

@@ -13,7 +13,7 @@ export function openPicture(
   events: PictureEvents,
 ): Picture {
   try {
-    const picture = new LivePicture(host, events);
+    const picture = labelled(new LivePicture(host, events));
     const { degradation, reason } = capabilitiesOf(picture.renderer);
     if (degradation !== 'none') actions.notify('warning', 'The wind is slower here than it could be', [reason]);
     return picture;
@@ -25,6 +25,13 @@ export function openPicture(
       'The tree is drawn once for each change. Another browser, or graphics acceleration switched on, shows it in the wind.',
     ]);
     host.replaceChildren();
-    return new StillPicture(host, events);
+    return labelled(new StillPicture(host, events));
   }
+}
+
+/** Before a tree stands there is nothing else to say of the picture. */
+function labelled<P extends Picture>(picture: P): P {
+  picture.canvas.setAttribute('role', 'img');
+  picture.canvas.setAttribute('aria-label', 'The tree');
+  return picture;
 }

@@ -16,6 +16,9 @@ const TOP = 0.84;
 const SIDE = 0.84;
 const FOOT = 0.86;
 
+/** How far below the middle of the picture the middle of a tree may come, at most. */
+const LOW = 0.06;
+
 /**
  * The view of a whole tree from eye height: horizon a third up, air above the crown, both sides inside.
  *
@@ -34,7 +37,9 @@ export function frameTree(box: Box3, fov: number, aspect: number, azimuth: numbe
   const byWidth = radius / (SIDE * half * aspect) + radius * 0.35;
   const byFoot = eye / Math.tan(Math.atan(FOOT * half) - pitch) + radius * 0.6;
   const distance = Math.max(byHeight + radius * 0.25, byWidth, byFoot);
-  const target = new Vector3(centre.x, eye + distance * Math.tan(pitch), centre.z);
+  // A tree that a narrow window makes small stands in its middle, not at its foot.
+  const middle = Math.atan((height / 2 - eye) / distance) + LOW * half;
+  const target = new Vector3(centre.x, eye + distance * Math.tan(Math.min(pitch, middle)), centre.z);
   const position = new Vector3(centre.x + distance * Math.sin(azimuth), eye, centre.z + distance * Math.cos(azimuth));
   return { position, target };
 }

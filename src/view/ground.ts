@@ -34,6 +34,8 @@ export class Ground extends Mesh<CircleGeometry, MeshLambertMaterial> {
     groundReach: { value: new Vector4(20, 60, 0.3, 4) },
   };
 
+  #reach = 10;
+
   constructor() {
     const material = new MeshLambertMaterial();
     super(new CircleGeometry(1, 64), material);
@@ -47,8 +49,17 @@ export class Ground extends Mesh<CircleGeometry, MeshLambertMaterial> {
 
   /** Sizes it for a tree: its reach, radius of the trunk's foot and of the crown in metres. */
   fit(reach: number, foot: number, crown: number): void {
-    this.uniforms.groundReach.value.set(reach * 0.9, reach * 4.2, foot, crown);
-    this.scale.setScalar(reach * 5);
+    this.#reach = reach;
+    this.uniforms.groundReach.value.set(0, 0, foot, crown);
+    this.see(3 * reach);
+  }
+
+  /** Reaches from the eye, `distance` metres from the tree, to well beyond the tree; there it fades. */
+  see(distance: number): void {
+    const { value } = this.uniforms.groundReach;
+    value.x = distance + 0.3 * this.#reach;
+    value.y = distance + 3.2 * this.#reach;
+    this.scale.setScalar(distance + 4 * this.#reach);
   }
 
   setLook(look: StageLook): void {

@@ -1,4 +1,4 @@
-import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial, Vector2 } from 'three';
+import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial } from 'three';
 import grassGlsl from '../../shaders/stage/grass.glsl';
 import groundGlsl from '../../shaders/stage/ground.glsl';
 import { hashPcg, hashUnit } from '../core/math/hash.ts';
@@ -78,10 +78,9 @@ function blades(): BufferGeometry {
   return geometry;
 }
 
-/** Grass that stands on the ground and leans with the wind. It takes shadows and casts none. */
+/** Grass that stands on the ground. It takes shadows and casts none. */
 export class Meadow extends Mesh<BufferGeometry, MeshLambertMaterial> {
   readonly #scale = { value: 1 };
-  readonly #lean = { value: new Vector2() };
 
   constructor(ground: Ground) {
     const material = new MeshLambertMaterial();
@@ -90,7 +89,6 @@ export class Meadow extends Mesh<BufferGeometry, MeshLambertMaterial> {
     inject(material, 'windgrove grass', GRASS_INJECTION, {
       ...ground.uniforms,
       grassScale: this.#scale,
-      grassLean: this.#lean,
     });
     this.name = 'meadow';
     this.receiveShadow = true;
@@ -101,11 +99,6 @@ export class Meadow extends Mesh<BufferGeometry, MeshLambertMaterial> {
   /** Spreads the tufts over `reach` metres. */
   fit(reach: number): void {
     this.#scale.value = reach;
-  }
-
-  /** Leans the blades: metres a metre of height, world x and z. */
-  lean(x: number, z: number): void {
-    this.#lean.value.set(x, z);
   }
 
   override dispose(): void {

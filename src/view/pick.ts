@@ -50,11 +50,13 @@ export function pickBranch(tree: PackedTree, ray: Ray, places: number): { point:
     for (let part = 1; part <= PARTS; part++) {
       bezier(part / PARTS, b);
       const radius = base * (1 - (z0 + ((z1 - z0) * (part - 0.5)) / PARTS)) + SLACK;
-      if (ray.distanceSqToSegment(a, b, onRay, onPart) < radius * radius) {
-        const distance = onRay.distanceToSquared(ray.origin);
+      const apart = ray.distanceSqToSegment(a, b, onRay, onPart);
+      if (apart < radius * radius) {
+        // The ray enters the round branch this far before the point where it comes nearest to the axis.
+        const distance = Math.max(0, onRay.distanceTo(ray.origin) - Math.sqrt(radius * radius - apart));
         if (distance < best) {
           best = distance;
-          found = { point: onRay.clone(), piece };
+          found = { point: ray.at(distance, new Vector3()), piece };
         }
       }
       a.copy(b);

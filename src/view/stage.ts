@@ -14,6 +14,7 @@ import { type Framing, frameTree } from './framing.ts';
 import { Ground } from './ground.ts';
 import { Meadow } from './meadow.ts';
 import { Sky } from './sky.ts';
+import { SkyLight } from './sky-light.ts';
 import { STAGE_LOOKS } from './stage-look.ts';
 import { Sun } from './sun.ts';
 
@@ -31,6 +32,8 @@ export interface StageOptions {
   shadows?: number;
   /** Smooths edges in hardware; on software GL it doubles the cost. Default true. */
   antialias?: boolean;
+  /** Light from the whole sky, also in reflections, in place of the hemisphere light: finer, and dearer a pixel. Default false. */
+  environment?: boolean;
   /** Keep the drawing after it was shown, so that it can be copied. Default false. */
   preserveDrawingBuffer?: boolean;
 }
@@ -55,6 +58,8 @@ export class Stage {
   readonly ground = new Ground();
   readonly meadow = new Meadow(this.ground);
   readonly #box = new Box3(new Vector3(-2, 0, -2), new Vector3(2, 6, 2));
+  #skyLight: SkyLight | null = null;
+  #reach = 6;
   #insets = NO_INSETS;
   #width = 1;
   #height = 1;
@@ -63,7 +68,7 @@ export class Stage {
   /** Draws on `canvas`. Throws where the browser gives no WebGL2 context. */
   constructor(
     canvas: HTMLCanvasElement,
-    { shadows = 1024, antialias = true, preserveDrawingBuffer = false }: StageOptions = {},
+    { shadows = 1024, antialias = true, environment = false, preserveDrawingBuffer = false }: StageOptions = {},
   ) {
     this.renderer = new WebGLRenderer({
       canvas,
@@ -87,6 +92,7 @@ export class Stage {
     this.controls.addEventListener('change', () => {
       this.#settling = 2;
     });
+    if (environment) this.#skyLight = new SkyLight(this.renderer, this.scene, this.sky);
     this.setDark(false);
     this.frame(this.#box);
   }
@@ -116,6 +122,8 @@ export class Stage {
     this.hemisphere.groundColor.set(look.groundLight);
     this.hemisphere.intensity = look.skyIntensity;
     this.renderer.toneMappingExposure = look.exposure;
+    this.hemisphere.visible = !this.#skyLight;
+    this.#skyLight?.refresh(look);
   }
 
   /** Fits ground, sun and shadow to what stands on the stage: a box in metres, y up. The camera stays. */
@@ -123,8 +131,8 @@ export class Stage {
     this.#box.copy(box);
     const size = box.getSize(new Vector3());
     const crown = Math.max(size.x, size.z) / 2;
-    this.ground.fit(Math.max(size.y, crown, 2), foot, crown);
-    this.meadow.fit(Math.max(size.y, crown, 2));
+    this.#reach = Math.max(size.y, crown, 2);
+    this.ground.fit(this.#reach, foot, crown);
     this.sun.fit(box);
     const reach = Math.max(size.y, crown * 2, 2);
     this.controls.minDistance = 0.02 * reach;
@@ -163,6 +171,9 @@ export class Stage {
     const drop = (controls.target.y - 0.15) / distance;
     controls.maxPolarAngle = Math.PI / 2 + Math.asin(Math.min(1, Math.max(-1, drop)));
     controls.update();
+    const away = Math.hypot(camera.position.x, camera.position.z);
+    this.ground.see(away);
+    this.meadow.fit(Math.max(this.#reach, 0.5 * away));
     renderer.shadowMap.needsUpdate ||= shadows;
     renderer.render(this.scene, camera);
   }
@@ -170,6 +181,7 @@ export class Stage {
   dispose(): void {
     this.controls.dispose();
     this.sky.dispose();
+    this.#skyLight?.dispose();
     this.ground.dispose();
     this.meadow.dispose();
     this.sun.dispose();

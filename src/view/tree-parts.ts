@@ -195,6 +195,7 @@ export class TreeParts extends Object3D {
     mesh.receiveShadow = this.#shadows.receive;
     mesh.raycast = () => {}; // the tree as a whole answers a ray
     this.add(mesh);
+    mesh.updateWorldMatrix(true, false); // it may come after the scene's matrices were updated for this frame
     return mesh;
   }
 
@@ -316,6 +317,7 @@ export class TreeParts extends Object3D {
       this.#lines = controlLines(this.shared);
       this.#lines.raycast = () => {};
       this.add(this.#lines);
+      this.#lines.updateWorldMatrix(true, false);
     }
     const ends = tree.levels.map(({ start, count }) => start + count);
     const levels = Math.min(this.shown.levels, ends.length);

@@ -1,6 +1,6 @@
 import type { WebGLRenderer } from 'three';
 import { expect, test } from 'vitest';
-import { wavesAt } from '../../src/core/wind/force.ts';
+import { createWindState } from '../../src/core/wind/fade.ts';
 import { poseTreePlainly } from '../../src/core/wind/pose-plainly.ts';
 import { presets } from '../../src/core/wind/presets.ts';
 import { CpuPoser } from '../../src/gpu/cpu-poser.ts';
@@ -16,16 +16,17 @@ test('the CPU writes the pose of the time into the very textures that the deform
   const poser = new CpuPoser(textures);
   const source = windSource(presets.gale);
   const written = textures.uniforms.poseEven.value;
+  const dataOf = (target: number): Float32Array => (written[target].image as { data: Float32Array }).data;
   expect(textures.uniforms.poseOdd.value).toEqual(written);
-  expect(written[0].image.data).toEqual(tree.restPose.data.subarray(0, written[0].image.data.length));
+  expect(dataOf(0)).toEqual(tree.restPose.data.subarray(0, dataOf(0).length));
 
   poser.update(noRenderer, 7, source);
-  const { gale } = presets;
-  const wanted = poseTreePlainly(tree, { ...wavesAt(gale, 7), ...gale }, 'exact');
+  const wind = createWindState();
+  source.fill(7, wind);
+  const wanted = poseTreePlainly(tree, wind, 'exact');
   const floats = wanted.length / 4;
   for (let target = 0; target < 4; target++) {
-    const found: Float32Array = written[target].image.data;
-    const far = found.map((value, i) => Math.abs(value - wanted[target * floats + i]));
+    const far = dataOf(target).map((value, i) => Math.abs(value - wanted[target * floats + i]));
     expect(Math.max(...far)).toBeLessThan(1e-5);
   }
   expect(poser.read(noRenderer)).not.toEqual(tree.restPose.data);

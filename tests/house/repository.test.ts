@@ -39,7 +39,8 @@ describe('lock file', () => {
     readonly version?: string;
     readonly resolved?: string;
     readonly integrity?: string;
-    readonly link?: boolean;
+    readonly dependencies?: Record<string, string>;
+    readonly optionalDependencies?: Record<string, string>;
   }
   const lock = JSON.parse(textOf('package-lock.json')) as { packages: Record<string, Package> };
   const manifest = JSON.parse(textOf('package.json')) as Record<string, Record<string, string>>;
@@ -52,6 +53,22 @@ describe('lock file', () => {
   test('has the checksum of every package', () => {
     const unchecked = Object.entries(lock.packages).filter(([name, { integrity }]) => name !== '' && !integrity);
     expect(unchecked.map(([name]) => name)).toEqual([]);
+  });
+
+  /** Folders in which Node looks for what a package asks for: its own, then outwards to the top. */
+  const around = (place: string): string[] => {
+    const parts = place.split(/\/(?=node_modules\/)/).filter(Boolean);
+    return [...parts.map((_, i) => `${parts.slice(0, parts.length - i).join('/')}/`), ''];
+  };
+
+  // A lock file written where a registry lacks the builds for other machines leaves them out, and then `npm ci` refuses it.
+  test('has every package that a package in it asks for, also those for other machines', () => {
+    const missing = Object.entries(lock.packages).flatMap(([place, { dependencies, optionalDependencies }]) =>
+      Object.keys({ ...dependencies, ...optionalDependencies })
+        .filter((name) => !around(place).some((folder) => lock.packages[`${folder}node_modules/${name}`]))
+        .map((name) => `${place}: ${name}`),
+    );
+    expect(missing).toEqual([]);
   });
 
   test('agrees with the manifest, whose versions are exact', () => {

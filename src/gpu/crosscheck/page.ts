@@ -52,7 +52,7 @@ async function* allChecks(renderer: WebGLRenderer): AsyncGenerator<readonly Chec
   yield checkPass(renderer, 'forest', forest, { ...gale, paper: true });
   yield [checkVariants(renderer, forest)];
   yield [checkCpuPoser(renderer, 'aspen', tree, gale), checkSettings(renderer, forest, gale)];
-  yield await checkContextLoss(renderer, tree, gale);
+  yield await checkContextLoss(renderer, forest, gale); // a forest: its roots do not stand at the origin, where zeros would do
 }
 
 async function run(): Promise<void> {

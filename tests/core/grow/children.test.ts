@@ -171,6 +171,25 @@ describe('angles', () => {
       expect(downAngleOf(deeper, i)).toBeCloseTo(110 - 80 * deeper.stems.parentZ[i], 1);
   });
 
+  test('a positive nDownAngleV draws the down angle of each child, nRotateV its turn', () => {
+    const species = edit(two, {
+      levels: { 1: { downAngle: 60, downAngleV: 20, rotate: 0, rotateV: 30, branches: 300 } },
+    });
+    const tree = grow(species, 1);
+    const downs = stemsOf(tree, 1).map((i) => downAngleOf(tree, i));
+    expect(Math.min(...downs)).toBeGreaterThanOrEqual(39.99);
+    expect(Math.min(...downs)).toBeLessThan(42);
+    expect(Math.max(...downs)).toBeGreaterThan(78);
+    expect(Math.max(...downs)).toBeLessThanOrEqual(80.01);
+    const azimuths = stemsOf(tree, 1).map((i) => {
+      const [x, y] = axisAt(tree, i, 0, 2);
+      return (Math.atan2(y, x) * 180) / Math.PI;
+    });
+    const turns = azimuths.slice(1).map((azimuth, k) => Math.abs(((azimuth - azimuths[k] + 540) % 360) - 180));
+    expect(Math.max(...turns)).toBeLessThanOrEqual(30.01);
+    expect(Math.max(...turns)).toBeGreaterThan(28);
+  });
+
   test('row 14: a spiral turns by nRotate from child to child and starts anywhere', () => {
     const azimuths = (seed: number) => {
       const tree = grow(two, seed);

@@ -99,6 +99,13 @@ describe('row 28: a negative nCurveV makes a helix', () => {
     expect((((d - c) % 1) + 1) % 1).toBeCloseTo(0.25, 4);
   });
 
+  test('its frame does not spin about the stem', () => {
+    const tree = grow(helix, 3);
+    for (let k = 1; k < nodesOf(tree, 0); k++) {
+      expect(angleDeg(axisAt(tree, 0, k, 1), axisAt(tree, 0, 0, 1))).toBeLessThan(61);
+    }
+  });
+
   test('its phase is random for each stem', () => {
     const [a, b] = [1, 2].map((seed) => axisAt(grow(helix, seed), 0, 0, 2));
     expect(angleDeg(a, b)).toBeGreaterThan(1);

@@ -90,6 +90,23 @@ describe('row 49: fitting', () => {
     expect(grow(edit(wide, { pruning: { width: 0 } }), 1).stems.length[0]).toBe(10);
   });
 
+  test('stems of which nothing is left are not made and leave no nodes', () => {
+    const none = edit(wide, { pruning: { width: 0 } });
+    const { stems } = grow(none, 1);
+    expect(stems.count).toBe(1);
+    expect(stems.nodePosition).toHaveLength(3 * 5);
+    // Below the envelope's peak this one is a point: branches there are lost, those above grow.
+    const some = grow(edit(wide, { pruning: { powerLow: 10, widthPeak: 0.9 } }), 1).stems;
+    expect(some.count).toBeLessThan(grow(wide, 1).stems.count);
+    for (let i = 1; i < some.count; i++) {
+      const at = 3 * some.nodeStart[i];
+      const z = some.nodePosition[at + 2];
+      expect(z).toBeCloseTo(10 * some.parentZ[i], 4);
+      expect(some.nodeStart[i + 1] - some.nodeStart[i]).toBe(5);
+    }
+    expect(some.nodePosition).toHaveLength(3 * some.nodeStart[some.count]);
+  });
+
   test('clones are tested too', () => {
     const split = edit(wide, { levels: { 1: { segSplits: 1, splitAngle: 150, curveRes: 3 } } });
     const { stems } = grow(split, 1);

@@ -1,0 +1,91 @@
+import { createRequire } from 'node:module';
+import { expect, type Page, test } from '@playwright/test';
+import { BARE, open, settled, state } from './editor-page.ts';
+
+const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+
+/** What axe finds wrong with the page, as rule: first place. */
+async function faults(page: Page): Promise<string[]> {
+  await page.addScriptTag({ path: axe });
+  return page.evaluate(async () => {
+    const { axe } = window as unknown as {
+      axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
+    };
+    return (await axe.run()).violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html).join(' | ')}`);
+  });
+}
+
+for (const theme of ['light', 'dark'] as const) {
+  test(`axe finds nothing in the ${theme} theme, folds and help open`, async ({ page }) => {
+    await page.setViewportSize({ width: 1024, height: 640 });
+    await open(page, `${BARE}&theme=${theme}&seed=-1`);
+    await page.getByText('Statistics').click();
+    await page.getByText('Advanced').click();
+    expect(await faults(page)).toEqual([]);
+    await page.keyboard.press('?');
+    await expect(page.getByRole('dialog')).toBeVisible();
+    expect(await faults(page)).toEqual([]);
+    await page.keyboard.press('Escape');
+    await expect(page.getByRole('dialog')).toBeHidden();
+  });
+}
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test('the tree is above, the sheet below; its tabs, sliders and heights work with a finger', async ({ page }) => {
+    const complaints = await open(page, BARE);
+    await page.getByRole('button', { name: 'Got it' }).tap();
+    const sheet = page.getByRole('region', { name: 'Controls' });
+    const height = async (): Promise<number> => (await sheet.boundingBox())!.height / 844;
+    expect(await height()).toBeLessThan(0.4);
+    await page.getByRole('tab', { name: 'Wind' }).tap();
+    const handle = page.getByRole('button', { name: /Height of the controls/ });
+    await handle.tap();
+    await expect.poll(height).toBeGreaterThan(0.6);
+
+    const slider = page.getByRole('slider', { name: 'Wave 1 wavelength' });
+    await slider.scrollIntoViewIfNeeded();
+    const box = (await slider.boundingBox())!;
+    await page.touchscreen.tap(box.x + box.width * 0.9, box.y + box.height / 2);
+    expect((await state(page)).wind.waves[0]!.wavelength).toBeGreaterThan(45);
+
+    // A pull on the handle, all the way up and down again.
+    const grip = (await handle.boundingBox())!;
+    await page.mouse.move(195, grip.y + 10);
+    await page.mouse.down();
+    await page.mouse.move(195, 60, { steps: 3 });
+    await page.mouse.up();
+    await expect.poll(height).toBeGreaterThan(0.85);
+    await handle.press('ArrowDown');
+    await handle.press('ArrowDown');
+    await handle.press('ArrowDown');
+    await expect.poll(height).toBeLessThan(0.12);
+
+    // Nothing is wider than the window, and the middle of the tree is not covered.
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+    expect(await page.evaluate(() => document.elementFromPoint(195, 300)?.tagName)).toBe('CANVAS');
+    expect(complaints).toEqual([]);
+  });
+
+  test('what can be touched is 44 pixels high, on every tab', async ({ page }) => {
+    await open(page, BARE);
+    await settled(page);
+    await page.getByRole('button', { name: 'Got it' }).tap();
+    for (const tab of ['Grow', 'Wind', 'Time', 'View']) {
+      await page.getByRole('tab', { name: tab }).tap();
+      const small = await page.evaluate(() =>
+        [...document.querySelectorAll<HTMLElement>('button, input, summary, label.button')]
+          .filter(
+            (e) =>
+              e.checkVisibility() && !e.closest('dialog, .spoken') && !e.matches('.spoken, .text, .handle, #scrub'),
+          )
+          .map((e) => (e.closest('label.toggle, .choice label') ?? e) as HTMLElement)
+          .filter((e) => e.getBoundingClientRect().height < 44)
+          .map((e) => e.outerHTML.slice(0, 80)),
+      );
+      expect(small, tab).toEqual([]);
+    }
+    expect(await faults(page)).toEqual([]);
+  });
+});
