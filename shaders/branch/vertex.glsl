@@ -12,8 +12,6 @@ uniform int branchLog2Width;
 uniform ivec3 branchRange;
 // taper | flare | lobes | depth of the lobes; fade of the lobes | bulges | their depth | collar
 uniform vec4 stemShape[2];
-// What the handles are carried along with: 1 asks for the paper's projection and section (teaching).
-uniform float paperForms;
 
 struct BranchVertex {
   SurfacePoint surface;
@@ -48,7 +46,6 @@ BranchVertex branchVertex() {
   // A taper of at most 1 is a cone, also by taperRadius, as long as a stem is longer than thick.
   float taper = stemShape[0].x;
   vec3 rho = vec3(span.w * (1.0 - taper * z), -span.w * taper, 0.0);
-  if (taper > 1.0) rho.xy = taperRadius(z, taper, span.w, stem.x);
 #else
   Shape shape = Shape(
     stemShape[0].x, stemShape[0].y, stemShape[0].z, stemShape[0].w, stemShape[1].x, stemShape[1].y, stemShape[1].z
@@ -79,30 +76,31 @@ BranchVertex branchVertex() {
 #else
   // The centre of a cap: its columns meet on the axis, and look along it.
   float rim = position.x == 0.0 && position.y == 0.0 ? 0.0 : 1.0;
-  if (paperForms > 0.5) {
-    Handles handles = projectedHandlesOf(pose.curve, pose.across);
-    result.surface = paperSurfacePoint(pose.curve, handles, v, position.x, position.y, rho.x * rim, slope, rho.z);
-    if (rim == 0.0) result.surface.normal = tangentAt(pose.curve, handles, v);
-  } else {
-    // surfacePoint of branch/surface.glsl, from the section (equations.md 3.2).
-    Section section = sectionAt(pose, v);
-    vec3 radial = position.y * section.s + position.x * section.t;
-    vec3 turn = position.x * section.s - position.y * section.t;
-    float g = max(section.speed - rho.x * dot(section.second, radial) / section.speed, 0.01 * section.speed);
-#ifdef PLAIN_STEM
-    vec3 around = turn;
-    vec3 n = g * radial - slope * section.along;
+#ifdef PAPER_FORMS
+  // For teaching. A switch at compile time: software GL runs both sides of a branch.
+  Handles handles = projectedHandlesOf(pose.curve, pose.across);
+  result.surface = paperSurfacePoint(pose.curve, handles, v, position.x, position.y, rho.x * rim, slope, rho.z);
+  if (rim == 0.0) result.surface.normal = tangentAt(pose.curve, handles, v);
 #else
-    vec3 around = unitOr(turn + rho.z * radial, turn);
-    vec3 n = g * radial - slope * section.along - g * rho.z * turn;
+  // surfacePoint of branch/surface.glsl, from the section (equations.md 3.2).
+  Section section = sectionAt(pose, v);
+  vec3 radial = position.y * section.s + position.x * section.t;
+  vec3 turn = position.x * section.s - position.y * section.t;
+  float g = max(section.speed - rho.x * dot(section.second, radial) / section.speed, 0.01 * section.speed);
+#ifdef PLAIN_STEM
+  vec3 around = turn;
+  vec3 n = g * radial - slope * section.along;
+#else
+  vec3 around = unitOr(turn + rho.z * radial, turn);
+  vec3 n = g * radial - slope * section.along - g * rho.z * turn;
 #endif
-    result.surface = SurfacePoint(
-      section.centre + rho.x * rim * radial,
-      rim == 0.0 ? section.along : unitOr(n, radial),
-      around,
-      unitOr(g * section.along + slope * radial, section.along)
-    );
-  }
+  result.surface = SurfacePoint(
+    section.centre + rho.x * rim * radial,
+    rim == 0.0 ? section.along : unitOr(n, radial),
+    around,
+    unitOr(g * section.along + slope * radial, section.along)
+  );
+#endif
 #endif
   result.along = along;
   result.radius = rho.x;

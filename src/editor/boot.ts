@@ -85,7 +85,7 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
   const loop = new Loop(
     clock,
     (time) => {
-      const figures = picture.draw(time);
+      const figures = picture.draw(time, clock.playing || picture.moving);
       const at = performance.now();
       if (!clock.playing || at - measured > FIGURES) {
         measured = at;
@@ -167,7 +167,7 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
     const lines = faults.map((f) => `${f.key}: found “${f.found}”; allowed: ${f.allowed}.`);
     actions.notify('error', 'Parts of this link could not be used; the rest applies', lines);
   };
-  if (broken) tell('The list of species is broken', broken);
+  if (broken) tell('The list of species could not be read', broken);
   tellFaults(first.faults);
   if (lessMotion && first.document.paused) session.setState({ hint: HINTS.still });
   else if (!preferences.visited) session.setState({ hint: HINTS.first });
@@ -175,5 +175,6 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
   savePreferences(preferences);
   if (session.getState().still) document.setState({ paused: true });
   restart();
-  await grower.grow();
+  // Without the list there is one message, not two; a species of the reader's own needs no list.
+  if (!broken || first.document.ownSpecies !== null) await grower.grow();
 }

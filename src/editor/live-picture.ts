@@ -8,6 +8,7 @@ import type { GrownTree } from '../worker/protocol.ts';
 import { boxOf, placeOf, poseOf } from './camera-pose.ts';
 import { GpuTimer } from './gpu-timer.ts';
 import { onScreen, tipsOf } from './on-screen.ts';
+import { Pace } from './pace.ts';
 import type { Insets, OnScreen, Picture, PictureEvents, Show } from './picture.ts';
 import type { FrameFigures } from './session.ts';
 
@@ -34,7 +35,12 @@ export class LivePicture implements Picture {
   private stale = true;
   private time = Number.NaN;
   private windMs = 0;
+  private readonly pace = new Pace();
+  private size: [width: number, height: number] = [1, 1];
+  /** Part of the pixels in each direction that is drawn now. */
+  private scale = 1;
   private drawn = 0;
+  private hurried = false;
 
   /** Draws in `host`, as large as that is. Throws where the browser gives no WebGL2 context. */
   constructor(host: HTMLElement, events: PictureEvents) {
@@ -66,7 +72,8 @@ export class LivePicture implements Picture {
       });
     }
     const size = (): void => {
-      this.stage.resize(host.clientWidth, host.clientHeight, window.devicePixelRatio);
+      this.size = [host.clientWidth, host.clientHeight];
+      this.resize();
       this.place();
       events.onChange();
     };
@@ -120,7 +127,8 @@ export class LivePicture implements Picture {
     this.place();
   }
 
-  draw(time: number): FrameFigures {
+  draw(time: number, hurried: boolean): FrameFigures {
+    this.keepPace(hurried);
     const { stage, tree } = this;
     const { renderer, controls, camera } = stage;
     if (!this.moving) {
@@ -137,9 +145,10 @@ export class LivePicture implements Picture {
     const submitted = performance.now();
     stage.render(this.stale || time !== this.time);
     const drawn = performance.now();
+    // Where nothing changed the pass did nothing: its last figure stands.
+    if (this.stale || time !== this.time) this.windMs = this.timer.milliseconds ?? submitted - start;
     this.stale = false;
     this.time = time;
-    this.windMs = this.timer.milliseconds ?? submitted - start;
     if (this.gliding && !this.held && !stage.moving) this.settle();
     const { triangles, calls } = renderer.info.render;
     return { triangles, drawCalls: calls, wind: this.windMs, draw: drawn - start, frame: 0 };
@@ -158,8 +167,24 @@ export class LivePicture implements Picture {
   }
 
   capture(time: number): string {
-    this.draw(time);
+    this.draw(time, false);
     return this.canvas.toDataURL(); // in the same task: the drawing is gone once it was shown
+  }
+
+  private resize(): void {
+    this.stage.resize(...this.size, window.devicePixelRatio * this.scale);
+  }
+
+  /** While things move, as many pixels as this machine can draw; all of them once they rest. */
+  private keepPace(hurried: boolean): void {
+    if (hurried && this.hurried) this.pace.frame(performance.now() - this.drawn);
+    else this.pace.restart();
+    this.hurried = hurried;
+    const scale = hurried ? this.pace.scale : 1;
+    if (scale === this.scale) return;
+    this.scale = scale;
+    this.stale = true;
+    this.resize();
   }
 
   /** The camera came to rest: what is left of its swing goes, and the document learns where it stands. */

@@ -42,8 +42,8 @@ export interface Picture {
   readonly canvas: HTMLElement;
   /** The camera is on its way: each frame differs from the last. */
   readonly moving: boolean;
-  /** Draws the tree at `time` seconds. */
-  draw(time: number): FrameFigures;
+  /** Draws the tree at `time` seconds; `hurried`: another frame follows at once. */
+  draw(time: number, hurried: boolean): FrameFigures;
   /** Tips (P3) of all pieces as they were drawn last, 3 a piece, tree space, metres. */
   tips(): Float32Array;
   /** Where the branches were drawn last, in pixels of the window, and the horizon's row: for tests. */

@@ -23,7 +23,7 @@ function measure(root: Element): Insets {
   if (document.documentElement.classList.contains('narrow')) {
     // Pulled up all the way, the sheet hides the tree; it is not squeezed into the strip that is left.
     const height = root.querySelector<HTMLElement>('.sheet')?.offsetHeight ?? 0;
-    return { top, left: 0, right: 0, bottom: Math.min(height, 0.6 * window.innerHeight) };
+    return { top, left: 0, right: 0, bottom: Math.min(height, 0.66 * window.innerHeight) };
   }
   const left = rect('.side.grow:not([data-folded])')?.right ?? 0;
   const right = rect('.side.blow:not([data-folded])')?.left ?? window.innerWidth;

@@ -57,7 +57,8 @@ vLeaf = vec4(here.own, crownSky(here.position), blade.xy);`,
     {
       anchor: '#include <aomap_fragment>',
       after: `reflectedLight.indirectDiffuse *= vLeaf.y;
-reflectedLight.indirectSpecular *= vLeaf.y;`,
+// Rounded normals lie aslant to the eye along the crown's rim: what they would mirror of the sky is kept low.
+reflectedLight.indirectSpecular *= 0.3 * vLeaf.y;`,
     },
   ],
 };

@@ -6,7 +6,7 @@ import type { Ground } from './ground.ts';
 import { inject } from './inject.ts';
 
 /** Tufts, blades of each. */
-const TUFTS = 4600;
+const TUFTS = 3600;
 const BLADES = 2;
 
 /** Where three's Lambert material takes the blades and the colour of the ground that they stand on. */

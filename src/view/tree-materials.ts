@@ -17,7 +17,10 @@ export interface MaterialSet {
   readonly distance: MeshDistanceMaterial;
 }
 
-/** Materials for stems. `defines`: RIBBON, PLAIN_STEM (no flare, lobes, bulges), FLARED (rings crowd towards the ground). */
+/**
+ * Materials for stems. `defines`: RIBBON, PLAIN_STEM (a cone: no flare, lobes or bulges, taper <= 1), FLARED (rings crowd towards
+ * the ground), PAPER_FORMS (the paper's frames and sections, for teaching).
+ */
 export function branchMaterials(defines: readonly string[], uniforms: Record<string, IUniform>): MaterialSet {
   const key = `windgrove branch ${defines.join(' ')}`;
   const standard = new MeshStandardMaterial({ metalness: 0, side: FrontSide });

@@ -48,7 +48,8 @@ type TreeMesh = Mesh<InstancedBufferGeometry>;
 interface Level {
   readonly mesh: TreeMesh;
   readonly uniforms: LevelUniforms;
-  readonly tube: MaterialSet;
+  /** By their form; made when they are first needed. */
+  tube: MaterialSet | null;
   ribbon: MaterialSet | null;
   extent: LevelExtent;
   start: number;
@@ -57,11 +58,14 @@ interface Level {
   drawn: string;
 }
 
-/** The parts of the deformer's programs that a level needs: trunks have flare and lobes, other stems bulges at most. */
-const definesOf = (level: number, species: Species): string[] => {
-  if (level === 0) return ['FLARED'];
-  return species.tree.bulgeDepth > 0 ? [] : ['PLAIN_STEM'];
-};
+/** The parts of the deformer's programs that a level needs; each that is left out saves work at every vertex. */
+function definesOf(level: number, { tree, levels }: Species, paper: boolean): string[] {
+  const plain = level > 0 && tree.bulgeDepth === 0 && taperOf(level, levels) <= 1;
+  return [level === 0 ? 'FLARED' : '', plain ? 'PLAIN_STEM' : '', paper ? 'PAPER_FORMS' : ''].filter(Boolean);
+}
+
+const taperOf = (level: number, levels: Species['levels']): number =>
+  levels[Math.min(level, levels.length - 1)]?.taper ?? 1;
 
 /**
  * The meshes of one tree, in tree space (z up).
@@ -85,6 +89,7 @@ export class TreeParts extends Object3D {
   #tree: PackedTree | null = null;
   #species: Species | null = null;
   #box: Box3 | null = null;
+  #paper = false;
   #shadows = { cast: true, receive: true };
 
   constructor(shown: Shown) {
@@ -99,13 +104,14 @@ export class TreeParts extends Object3D {
     this.#tree = tree;
     this.#box = windBox(tree.bounds);
     const extents = levelExtents(tree);
-    // Other programs are needed where bulges come or go.
-    const keep = this.#species && definesOf(1, this.#species).length === definesOf(1, species).length;
-    while (this.#levels.length > (keep ? tree.levels.length : 0)) this.#dropLevel();
+    while (this.#levels.length > tree.levels.length) this.#dropLevel();
+    const former = this.#species;
     this.#species = species;
     tree.levels.forEach(({ start, count }, i) => {
       const level = this.#levels[i] ?? this.#addLevel(i);
       Object.assign(level, { start, count, extent: extents[i], drawn: '' });
+      const same = former && String(definesOf(i, former, false)) === String(definesOf(i, species, false));
+      if (!same) this.#dropMaterials(level);
       this.#setShape(level, i, species);
     });
     this.#setLook(tree, species);
@@ -142,6 +148,13 @@ export class TreeParts extends Object3D {
     };
   }
 
+  /** Draws by the paper's printed frames and sections, for teaching. */
+  setPaper(paper: boolean): void {
+    if (this.#paper === paper) return;
+    this.#paper = paper;
+    for (const level of this.#levels) this.#dropMaterials(level);
+  }
+
   setShadows(cast: boolean, receive: boolean): void {
     this.#shadows = { cast, receive };
     for (const mesh of this.#meshes()) Object.assign(mesh, { castShadow: cast, receiveShadow: receive });
@@ -168,16 +181,11 @@ export class TreeParts extends Object3D {
 
   #addLevel(index: number): Level {
     const uniforms = levelUniforms();
-    const tube = branchMaterials(definesOf(index, this.#species as Species), {
-      ...this.shared,
-      ...this.bark,
-      ...uniforms,
-    });
     const mesh = this.#newMesh(`level ${index}`);
     const level: Level = {
       mesh,
       uniforms,
-      tube,
+      tube: null,
       ribbon: null,
       extent: { box: mesh.userData.box, radius: 0 },
       start: 0,
@@ -204,13 +212,17 @@ export class TreeParts extends Object3D {
     if (!level) return;
     this.remove(level.mesh);
     level.mesh.geometry.dispose();
-    disposeMaterials(level.tube);
-    if (level.ribbon) disposeMaterials(level.ribbon);
+    this.#dropMaterials(level);
+  }
+
+  #dropMaterials(level: Level): void {
+    for (const set of [level.tube, level.ribbon]) if (set) disposeMaterials(set);
+    Object.assign(level, { tube: null, ribbon: null, drawn: '' });
   }
 
   #setShape({ uniforms }: Level, index: number, species: Species): void {
     const { tree, levels } = species;
-    const taper = levels[Math.min(index, levels.length - 1)]?.taper ?? 1;
+    const taper = taperOf(index, levels);
     const trunk = index === 0;
     const [a, b] = uniforms.stemShape.value as [Vector4, Vector4];
     a.set(taper, trunk ? tree.flare : 0, trunk ? tree.lobes : 0, trunk ? tree.lobeDepth : 0);
@@ -231,8 +243,7 @@ export class TreeParts extends Object3D {
     this.bark.barkDark.value.set(bark.dark);
     this.bark.barkRelief.value = bark.relief;
     for (const { tube, ribbon } of this.#levels) {
-      tube.standard.roughness = bark.roughness;
-      if (ribbon) ribbon.standard.roughness = bark.roughness;
+      for (const set of [tube, ribbon]) if (set) set.standard.roughness = bark.roughness;
     }
     leafLook.leafColour.value.set(foliage.colour);
     leafLook.leafUnder.value.set(foliage.under);
@@ -255,18 +266,20 @@ export class TreeParts extends Object3D {
     mesh.geometry.dispose();
     mesh.geometry = branchGeometry(spec, count, this.#box as Box3);
     uniforms.branchRange.value.set(level.start, count, spec.bundle);
-    this.#dress(mesh, spec.sectors === 1 ? this.#ribbonOf(level, index) : level.tube);
+    this.#dress(mesh, this.#branchSet(level, index, spec.sectors === 1 ? 'ribbon' : 'tube'));
     level.drawn = name;
   }
 
-  #ribbonOf(level: Level, index: number): MaterialSet {
-    if (!level.ribbon) {
-      const all = { ...this.shared, ...this.bark, ...level.uniforms };
-      level.ribbon = branchMaterials([...definesOf(index, this.#species as Species), 'RIBBON'], all);
-      level.ribbon.standard.roughness = level.tube.standard.roughness;
-      this.#applyMode();
-    }
-    return level.ribbon;
+  #branchSet(level: Level, index: number, form: 'tube' | 'ribbon'): MaterialSet {
+    const made = level[form];
+    if (made) return made;
+    const species = this.#species as Species;
+    const defines = [...definesOf(index, species, this.#paper), ...(form === 'ribbon' ? ['RIBBON'] : [])];
+    const set = branchMaterials(defines, { ...this.shared, ...this.bark, ...level.uniforms });
+    set.standard.roughness = species.bark.roughness;
+    set.standard.wireframe = this.shown.mode === 'wireframe';
+    level[form] = set;
+    return set;
   }
 
   #fitLeaves(tree: PackedTree, species: Species, camera: Camera): void {
@@ -297,8 +310,8 @@ export class TreeParts extends Object3D {
     if (!set) {
       set = leafMaterials(kind === 'near' ? ['LEAF_VEINS'] : [], { ...this.shared, ...this.leafLook });
       set.standard.roughness = roughness;
+      set.standard.wireframe = this.shown.mode === 'wireframe';
       this.#leafMaterials[kind] = set;
-      this.#applyMode();
     }
     return set;
   }

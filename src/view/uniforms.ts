@@ -10,7 +10,6 @@ export function sharedUniforms() {
     branchLog2Width: { value: 0 },
     leaves: { value: null as DataArrayTexture | null },
     leafLog2Width: { value: 0 },
-    paperForms: { value: 0 },
     crownCentre: { value: new Vector3() },
     crownRadii: { value: new Vector3(1, 1, 1) },
   };

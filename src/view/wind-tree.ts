@@ -81,7 +81,7 @@ export class WindTree extends Object3D {
     const { shared, leafLook } = this.#parts;
     shared.poseEven.value = textures.uniforms.poseEven.value;
     shared.poseOdd.value = textures.uniforms.poseOdd.value;
-    shared.paperForms.value = this.#felt.wind.paper ? 1 : 0;
+    this.#parts.setPaper(this.#felt.wind.paper);
     // Every leaf beats a whole number of times in sixteen beats, so this may wrap (shaders/leaf/vertex.glsl).
     const beats = (time * species.wind.flutterRate) / 16;
     leafLook.leafFlutter.value.y = beats - Math.floor(beats);

@@ -111,7 +111,6 @@ export function checkDeformers(renderer: WebGLRenderer, name: string, tree: Pack
           new Vector4(SHAPE.lobeFade, SHAPE.bulges, SHAPE.bulgeDepth, 0),
         ],
       },
-      paperForms: { value: 0 },
     },
   });
   const leaves = leafVertices(tree, pose, random);

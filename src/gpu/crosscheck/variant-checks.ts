@@ -17,7 +17,7 @@ export function watchShaders(renderer: WebGLRenderer): { refused: string[] } {
 }
 
 /** The branch deformer's switches (shaders/branch/vertex.glsl); the fragment stages belong to three's materials. */
-const SWITCHES = ['FLARED', 'PLAIN_STEM', 'RIBBON'];
+const SWITCHES = ['FLARED', 'PLAIN_STEM', 'RIBBON', 'PAPER_FORMS'];
 
 /** Every combination of the branch deformer's switches: compiles, and gives numbers. */
 export function checkVariants(renderer: WebGLRenderer, tree: PackedTree): Check {
@@ -39,7 +39,6 @@ export function checkVariants(renderer: WebGLRenderer, tree: PackedTree): Check 
         branchLog2Width: { value: Math.log2(tree.branches.width) },
         branchRange: { value: new Vector3(0, tree.pieceCount, tree.pieceCount) },
         stemShape: { value: [new Vector4(1, 0, 0, 0), new Vector4(0, 0, 0, 0.5)] },
-        paperForms: { value: bits & 1 },
       },
     });
     let normals = 0;
