@@ -6,7 +6,7 @@ import { hashPcg, hashUnit } from '../src/core/math/hash.ts';
 import type { Vec3 } from '../src/core/math/vec3.ts';
 import { BRANCH_LAYERS, TEXEL } from '../src/core/pack/layout.ts';
 import type { PackedTree } from '../src/core/pack/packed.ts';
-import { texelArray } from '../src/core/pack/texel-array.ts';
+import { texelArray, wordTexels } from '../src/core/pack/texel-array.ts';
 import { TreeTextures } from '../src/gpu/tree-textures.ts';
 import { barkTexture } from '../src/view/bark-texture.ts';
 import { BUNDLE, branchGeometry } from '../src/view/branch-geometry.ts';
@@ -51,7 +51,8 @@ export function strewnPieces(count: number): PackedTree {
     pieces: texelArray(count, 5),
     restPose,
     branches,
-    leaves: texelArray(0, 2),
+    leaves: wordTexels(0, 1),
+    leafLength: 0,
     levels: [{ start: 0, count }],
     bounds: new Float32Array([-HALF, -HALF, -HALF, HALF, HALF, HALF]),
     crown: new Float32Array([0, 0, 0, HALF, HALF, HALF]),

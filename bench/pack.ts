@@ -89,7 +89,7 @@ const report: BenchReport = {
     },
   ],
   notes: [
-    'Windgrove: 240 bytes a piece (rest data 80, draw order 32, two pose sets 128) and 32 bytes a leaf, one grid a level shared ' +
+    'Windgrove: 240 bytes a piece (rest data 80, draw order 32, two pose sets 128) and 16 bytes a leaf, one grid a level shared ' +
       'by all trees and not counted. Mesh: vertices of 32 bytes (position, normal, texture coordinates; 48 with a tangent), indices ' +
       `of 4 bytes, sectors x bands a piece ${GRIDS.map((grid) => grid.join(' x ')).join(', ')} by level with a doubled seam, a leaf of 6 ` +
       'vertices and 4 triangles. A mesh that moves would need bone indices and weights (8 bytes a vertex and more) besides.',

@@ -133,6 +133,42 @@ test('without WebGL2 there is a still picture and a message', async ({ page }) =
   expect(pixels.length).toBeGreaterThan(0);
 });
 
+test('without float targets the CPU moves the tree, and a message says so', async ({ page }) => {
+  await page.addInitScript(() => {
+    const real = WebGL2RenderingContext.prototype.getExtension;
+    WebGL2RenderingContext.prototype.getExtension = function (this: WebGL2RenderingContext, name: string) {
+      return name === 'EXT_color_buffer_float' ? null : Reflect.apply(real, this, [name]);
+    } as typeof real;
+  });
+  const complaints = await open(page, `${BARE}&wind=gale`);
+  await expect(page.getByRole('alert')).toContainText('32-bit float textures; the wind is computed on the CPU');
+  await settled(page);
+  const before = await picture(page);
+  const tipsBefore = await tips(page);
+  await page.evaluate(() => window.windgrove!.seek(3));
+  await settled(page);
+  expect(await tips(page)).not.toEqual(tipsBefore);
+  expect((await difference(page, before, await picture(page))).pixels.length).toBeGreaterThan(100);
+  expect(complaints).toEqual([]);
+});
+
+test('a lost graphics card is told of, and the picture comes back as it was', async ({ page }) => {
+  await open(page, BARE);
+  await settled(page);
+  const before = await picture(page);
+  await page.evaluate(() => {
+    const gl = document.querySelector('canvas')!.getContext('webgl2')!;
+    const card = gl.getExtension('WEBGL_lose_context')!;
+    Object.assign(window, { card });
+    card.loseContext();
+  });
+  await expect(page.getByRole('alert')).toContainText('The graphics card was taken away');
+  await page.evaluate(() => (window as unknown as { card: WEBGL_lose_context }).card.restoreContext());
+  await expect(page.getByRole('alert')).toHaveText('');
+  await settled(page);
+  expect((await difference(page, before, await picture(page))).pixels).toEqual([]);
+});
+
 test('who wants less motion finds time standing still, and is told so', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await open(page, 'levels=1&leaves=0');

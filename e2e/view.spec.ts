@@ -83,3 +83,19 @@ test('shows its wireframe, its control polygons and its levels, and itself again
   for (const part of [wireframe, control, levels]) expect(part).toBeGreaterThan(0.01);
   expect(shaded).toBe(0);
 });
+
+test('has a still picture for browsers without WebGL2', async ({ page }) => {
+  await page.goto('e2e/pages/still.html');
+  await page.waitForFunction(() => 'done' in window);
+  const seen = await page.evaluate(() => {
+    const canvas = document.querySelector('canvas') as HTMLCanvasElement;
+    const context = canvas.getContext('2d') as CanvasRenderingContext2D;
+    const { width, height } = canvas;
+    const { data } = context.getImageData(width * 0.4, height * 0.2, width * 0.2, height * 0.35);
+    let green = 0;
+    for (let i = 0; i < data.length; i += 4) if (data[i + 1] > data[i] + 15 && data[i + 1] > data[i + 2] + 15) green++;
+    return { green: green / (data.length / 4), colours: new Set(new Uint32Array(data.buffer)).size };
+  });
+  expect(seen.green).toBeGreaterThan(0.2);
+  expect(seen.colours).toBeGreaterThan(100);
+});

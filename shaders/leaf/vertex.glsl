@@ -4,15 +4,16 @@
 #include /lib/hash.glsl
 #include /lib/quaternion.glsl
 #include /lib/trig.glsl
+#include /leaf/texel.glsl
 
 in vec4 blade;
 
-uniform highp sampler2DArray leaves;
+uniform highp usampler2DArray leaves;
 uniform int leafLog2Width;
 // Leaves to draw, copies an instance.
 uniform ivec2 leafRange;
-// Factors on width and length that make up for leaves that are left out.
-uniform vec2 leafGrow;
+// Metres that one unit across and one along the blade stand for; larger where they make up for leaves that are left out.
+uniform vec2 leafSize;
 // Widest angle in radians | time in sixteenths of a beat, wrapped to 0..1
 uniform vec2 leafFlutter;
 
@@ -34,14 +35,13 @@ LeafVertex leafVertex() {
   int place = gl_InstanceID * leafRange.y + int(blade.z);
   if (place >= leafRange.x) return LeafVertex(vec3(0.0), vec3(0.0, 0.0, 1.0), 0.0);
   ivec2 texel = texelOf(place, leafLog2Width);
-  vec4 at = texelFetch(leaves, ivec3(texel, LEAF_PLACE), 0);
-  vec4 turn = texelFetch(leaves, ivec3(texel, LEAF_ORIENT), 0);
-  Pose pose = readPose(int(at.x), at.w >= 1.0);
-  float phase = fract(at.w);
-  float own = hashUnit(hashPcg(uint(phase * 16777216.0)));
-  Section section = sectionAt(pose, at.y);
+  LeafTexel leaf = leafTexel(texelFetch(leaves, ivec3(texel, LEAF_LEAF), 0));
+  Pose pose = readPose(leaf.piece, leaf.odd);
+  float phase = leaf.phase;
+  float own = hashUnit(hashPcg(uint(phase * 65535.0 + 0.5)));
+  Section section = sectionAt(pose, leaf.v);
   mat3 frame = mat3(section.along, section.t, section.s);
-  vec3 p = position * vec3(leafGrow.x, leafGrow.y, leafGrow.y);
+  vec3 p = position * vec3(leafSize.x, leafSize.y, leafSize.y);
   vec3 n = normal;
   // The bend of the branch tells how hard it blows here. Each leaf beats whole multiples of a sixteenth of the common rate,
   // so that time may wrap without a jump and no two neighbours stay in step.
@@ -55,6 +55,6 @@ LeafVertex leafVertex() {
   p = swung(p, sines, cosines);
   n = swung(n, sines, cosines);
   return LeafVertex(
-    section.centre + frame * rotateByQuaternion(turn, p * at.z), frame * rotateByQuaternion(turn, n), own
+    section.centre + frame * rotateByQuaternion(leaf.orientation, p), frame * rotateByQuaternion(leaf.orientation, n), own
   );
 }

@@ -1,13 +1,15 @@
-import { DataArrayTexture, FloatType, RGBAFormat } from 'three';
+import { DataArrayTexture, FloatType, RGBAFormat, RGBAIntegerFormat, UnsignedIntType } from 'three';
 import type { PackedTree, TexelArray } from '../core/pack/packed.ts';
 import { type PoseSets, type PoseUniforms, targetSets, writtenSets } from './pose-sets.ts';
 
-/** A texel array as a texture: RGBA32F, nearest, no copy of the data. */
-export function arrayTexture(texels: TexelArray, name: string): DataArrayTexture {
-  const data = texels.data as Float32Array<ArrayBuffer>;
+/** A texel array as a texture: RGBA32F or RGBA32UI as its numbers are, nearest, no copy of the data. */
+export function arrayTexture(texels: TexelArray | TexelArray<Uint32Array>, name: string): DataArrayTexture {
+  const data = texels.data as Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
   const texture = new DataArrayTexture(data, texels.width, texels.height, texels.layers);
-  texture.format = RGBAFormat;
-  texture.type = FloatType; // the filters of a data texture are nearest already
+  const words = data instanceof Uint32Array;
+  texture.format = words ? RGBAIntegerFormat : RGBAFormat;
+  texture.type = words ? UnsignedIntType : FloatType; // the filters of a data texture are nearest already
+  if (words) texture.internalFormat = 'RGBA32UI';
   texture.name = name;
   texture.needsUpdate = true;
   return texture;
@@ -17,7 +19,7 @@ export function arrayTexture(texels: TexelArray, name: string): DataArrayTexture
 export interface TreeUniforms extends PoseUniforms {
   /** uniform sampler2DArray branches: layers of BRANCH_LAYERS */
   readonly branches: { value: DataArrayTexture };
-  /** uniform sampler2DArray leaves: layers of LEAF_LAYERS */
+  /** uniform usampler2DArray leaves: layers of LEAF_LAYERS */
   readonly leaves: { value: DataArrayTexture };
 }
 

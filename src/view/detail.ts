@@ -67,7 +67,7 @@ export function leafGrain(
 
 /** Triangles that one level of stems, and the leaves, may take before a coarser form is chosen. */
 const STEM_TRIANGLES: Record<Detail, number> = { auto: 240_000, high: 2_000_000, low: 60_000 };
-const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 600_000, high: 6_000_000, low: 100_000 };
+const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 700_000, high: 6_000_000, low: 100_000 };
 
 /** Leaves that are drawn at most, by default. */
 export const LEAF_BUDGET: Record<Detail, number> = { auto: 150_000, high: 600_000, low: 30_000 };

@@ -1,5 +1,6 @@
 import { Color, type PerspectiveCamera, Vector3, Vector4 } from 'three';
-import { BRANCH_LAYERS, LEAF_LAYERS, TEXEL } from '../core/pack/layout.ts';
+import { BRANCH_LAYERS, TEXEL } from '../core/pack/layout.ts';
+import { leafTexel } from '../core/pack/leaf-texel.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
 import { leafGrowth } from './detail.ts';
@@ -186,7 +187,6 @@ function foliage(
   dark: boolean,
   strokes: Stroke[],
 ): void {
-  const place = LEAF_LAYERS.PLACE * tree.leaves.width * tree.leaves.height * TEXEL;
   const count = Math.min(tree.leafCount, MOST_LEAVES);
   if (count === 0) return;
   const [growX, growY] = leafGrowth(count / tree.leafCount, leaves.scaleX);
@@ -194,14 +194,13 @@ function foliage(
   const centre = new Vector3(tree.crown[0], tree.crown[2], -tree.crown[1]);
   const radii = new Vector3(tree.crown[3], tree.crown[5], tree.crown[4]);
   const p = new Vector3();
-  const { data } = tree.leaves;
+  const { leafLength } = tree;
   for (let i = 0; i < count; i++) {
-    const t = place + i * TEXEL;
-    const phase = data[t + 3] % 1;
+    const { piece, v, phase } = leafTexel(tree.leaves.data, i);
     const turn = phase * Math.PI * 2;
     // The blade hangs beside the twig; which way does not matter for a dab.
-    const reach = data[t + 2] * (leaves.petiole + 0.5);
-    view.onPiece(data[t], data[t + 1], p);
+    const reach = leafLength * (leaves.petiole + 0.5);
+    view.onPiece(piece, v, p);
     p.x += reach * Math.cos(turn * 5);
     p.y += reach * 0.5 * Math.sin(turn * 11);
     p.z += reach * Math.sin(turn * 7);
@@ -211,8 +210,8 @@ function foliage(
     // Brighter towards the sun and outwards, darker deep inside and below.
     const light = 0.32 * p.x + 0.3 * p.y + 0.45 * Math.min(1, p.length()) + 0.3 * (phase - 0.5);
     const colour = colours[Math.min(7, Math.max(0, Math.round(-0.4 + 6.5 * light)))];
-    const long = Math.max(0.6, data[t + 2] * growY * seen.scale * 0.5);
-    const wide = Math.max(0.5, data[t + 2] * growX * leaves.scaleX * seen.scale * 0.42);
+    const long = Math.max(0.6, leafLength * growY * seen.scale * 0.5);
+    const wide = Math.max(0.5, leafLength * growX * leaves.scaleX * seen.scale * 0.42);
     strokes.push({
       depth: seen.depth,
       paint: () => {

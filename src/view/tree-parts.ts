@@ -285,7 +285,7 @@ export class TreeParts extends Object3D {
   #fitLeaves(tree: PackedTree, species: Species, camera: Camera): void {
     const { leaves, foliage } = species;
     const { leafLook, shown } = this;
-    const length = leaves.scale / Math.sqrt(leaves.quality);
+    const length = tree.leafLength;
     const count = Math.min(tree.leafCount, shown.leafBudget);
     const [growX, growY] = leafGrowth(count / tree.leafCount, leaves.scaleX);
     const pixels = length * growY * pixelsPerMetre(camera, this.matrixWorld, this.#box as Box3, this.pictureHeight);
@@ -300,7 +300,7 @@ export class TreeParts extends Object3D {
     mesh.geometry.dispose();
     mesh.geometry = leafGeometry(spec, count, this.#box as Box3);
     leafLook.leafRange.value.set(count, bundleFor(count));
-    leafLook.leafGrow.value.set(growX, growY);
+    leafLook.leafSize.value.set(growX * length, growY * length);
     this.#dress(mesh, this.#leafSet(spec.grain === 'near' ? 'near' : 'far', foliage.roughness));
     this.#leafDrawn = name;
   }

@@ -39,7 +39,7 @@ export function levelUniforms() {
 export function leafUniforms() {
   return {
     leafRange: { value: new Vector2() },
-    leafGrow: { value: new Vector2(1, 1) },
+    leafSize: { value: new Vector2(1, 1) },
     leafFlutter: { value: new Vector2() },
     crownRounding: { value: 0.5 },
     leafColour: { value: new Color() },

@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
-import { BRANCH_LAYERS, LEAF_LAYERS, PIECE_LAYERS } from '../../src/core/pack/layout.ts';
+import { BRANCH_LAYERS, PIECE_LAYERS } from '../../src/core/pack/layout.ts';
+import { leafTexel } from '../../src/core/pack/leaf-texel.ts';
 import { layerStart } from '../../src/core/pack/texel-array.ts';
 import { createWindState } from '../../src/core/wind/fade.ts';
 import { poseTreePlainly } from '../../src/core/wind/pose-plainly.ts';
@@ -44,11 +45,11 @@ test('branches and leaves name pieces that exist, with the parity of their depth
     expect(piece).toBeGreaterThanOrEqual(tree.depthStart[depth]);
     expect(piece).toBeLessThan(tree.depthStart[depth + 1]);
   }
-  const place = layerStart(tree.leaves, LEAF_LAYERS.PLACE);
   expect(tree.leafCount).toBe(700 - tree.depthStart[4]);
   for (let i = 0; i < tree.leafCount; i++) {
-    expect(tree.leaves.data[place + 4 * i]).toBeGreaterThanOrEqual(tree.depthStart[4]);
-    expect(Math.floor(tree.leaves.data[place + 4 * i + 3])).toBe(0); // depth 4 is even
+    const { piece, odd } = leafTexel(tree.leaves.data, i);
+    expect(piece).toBeGreaterThanOrEqual(tree.depthStart[4]);
+    expect(odd).toBe(false); // depth 4 is even
   }
 });
 

@@ -72,9 +72,9 @@ export function treeStats(tree: Tree, measured: Measured = {}): TreeStats {
   };
 }
 
-/** Bytes that a packed tree takes on the GPU: its four texture arrays. */
+/** Bytes that a packed tree takes on the GPU: what is read of pieces, branches and leaves, and both sets of poses. */
 export const packedBytes = ({ pieces, restPose, branches, leaves }: PackedTree): number =>
-  pieces.data.byteLength + restPose.data.byteLength + branches.data.byteLength + leaves.data.byteLength;
+  pieces.data.byteLength + 2 * restPose.data.byteLength + branches.data.byteLength + leaves.data.byteLength;
 
 function levelStats({ stems, species }: Tree, level: number, pieces: Pieces | undefined): LevelStats {
   const steps = stepsOf(parametersOf(species, level));

@@ -13,11 +13,12 @@ function words(hash: number, array: Float32Array | Uint32Array): number {
 export function hashPacked(packed: PackedTree): string {
   let hash = words(2166136261 | 0, Uint32Array.of(packed.pieceCount, packed.leafCount));
   hash = words(hash, packed.depthStart);
-  for (const array of [packed.pieces, packed.restPose, packed.branches, packed.leaves]) {
+  for (const array of [packed.pieces, packed.restPose, packed.branches, packed.leaves] as const) {
     hash = words(hash, Uint32Array.of(array.width, array.height, array.layers));
     hash = words(hash, array.data);
   }
   for (const { start, count } of packed.levels) hash = words(hash, Uint32Array.of(start, count));
+  hash = words(hash, Float32Array.of(packed.leafLength));
   hash = words(hash, packed.bounds);
   hash = words(hash, packed.crown);
   return (hash >>> 0).toString(16).padStart(8, '0');

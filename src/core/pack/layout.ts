@@ -1,8 +1,8 @@
 /**
  * The texel layouts: what the GPU reads, stated once. `layoutGlsl` turns this table into the constants that the shaders use.
  *
- * All textures are RGBA32F. A piece, a branch or a leaf is one texel in each layer of its texture array, at
- * (index & (width - 1), index >> log2 width); width is a power of two.
+ * All textures but that of the leaves are RGBA32F. A piece, a branch or a leaf is one texel in each layer of its texture
+ * array, at (index & (width - 1), index >> log2 width); width is a power of two.
  */
 
 /** Read by the wind pass; index = piece, sorted by depth and then by parent. */
@@ -27,12 +27,13 @@ export const BRANCH_LAYERS = {
   STEM: 1,
 } as const;
 
-/** Read by the leaf shader; index = place in the draw order, any prefix of it spread evenly over the crown. */
+/**
+ * Read by the leaf shader; RGBA32UI, 16 bytes a leaf, since leaves outnumber everything else; index = place in the draw
+ * order, any prefix of it spread evenly over the crown. `leaf-texel.ts` writes and reads it.
+ */
 export const LEAF_LAYERS = {
-  /** piece | v | length of the blade in metres | phase in turns [0, 1), plus 1 where the depth of the piece is odd (which pose set it is read from) */
-  PLACE: 0,
-  /** rotation of the leaf in the piece's section frame at v: x | y | z | w */
-  ORIENT: 1,
+  /** piece, and the top bit where its depth is odd | v, phase in turns: 16 bits each | rotation x, y | z, w: 16 bits each */
+  LEAF: 0,
 } as const;
 
 /** Written by the wind pass, one target each; index = piece. */
@@ -43,5 +44,5 @@ export const POSE_TARGETS = {
   /** P3.xyz | angle of the piece's bend in radians */ P3: 3,
 } as const;
 
-/** Floats a texel. */
+/** Numbers a texel. */
 export const TEXEL = 4;

@@ -2,15 +2,13 @@ import { taperRadius } from '../deform/radius.ts';
 import type { Tree } from '../grow/tree.ts';
 import { hashPcg, hashUnit } from '../math/hash.ts';
 import type { LeafAttachments, Pieces } from '../pieces/pieces.ts';
+import { bendWeights } from '../wind/bend.ts';
 import { extentOf } from './extent.ts';
 import { BRANCH_LAYERS, LEAF_LAYERS, PIECE_LAYERS, POSE_TARGETS } from './layout.ts';
+import { writeLeaf } from './leaf-texel.ts';
 import type { DrawRange, PackedTree, TexelArray } from './packed.ts';
 import { inverseOrder, spreadOrder } from './spread.ts';
-import { layerStart, texelArray } from './texel-array.ts';
-
-/** Exponent of the share of the bend along a stem (Skjermo 2007, equation 16). */
-const BEND_EXPONENT = 1.8;
-const bendShare = (z: number): number => z ** BEND_EXPONENT;
+import { layerStart, texelArray, wordTexels } from './texel-array.ts';
 
 /**
  * Packs a grown tree into the texel arrays of `layout.ts`.
@@ -28,6 +26,7 @@ export function packTree(tree: Tree, pieces: Pieces, attachments: LeafAttachment
     restPose: packRestPose(pieces),
     branches: packBranches(tree, pieces, levels),
     leaves: packLeaves(tree, pieces, attachments),
+    leafLength: tree.leaves.count > 0 ? tree.leaves.length[0] : 0,
     levels,
     ...extentOf(tree, pieces, attachments),
   };
@@ -51,14 +50,12 @@ function packPieces(tree: Tree, pieces: Pieces): TexelArray {
   const flexibility = species.wind.stiffness.map((stiffness) => 1 / stiffness);
   for (let i = 0; i < count; i++) {
     const t = 4 * i;
-    const z0 = span[2 * i];
-    const z1 = span[2 * i + 1];
-    const carried = bendShare(z0);
+    const [w2, w3] = bendWeights(span[2 * i], span[2 * i + 1]);
     const flexible = byLevel(flexibility, pieces.level[i]);
     data[attach + t] = pieces.parent[i];
     data[attach + t + 1] = pieces.v[i];
-    data[attach + t + 2] = flexible * (bendShare(z0 + (z1 - z0) / 3) - carried);
-    data[attach + t + 3] = flexible * (bendShare(z1) - carried);
+    data[attach + t + 2] = flexible * w2;
+    data[attach + t + 3] = flexible * w3;
     for (let k = 0; k < 4; k++) data[orient + t + k] = pieces.orientation[t + k];
     const l = 7 * i;
     data[handle + t] = local[l + 1];
@@ -146,23 +143,17 @@ function stemStarts({ species, stems }: Tree): { phase: Float32Array; radius: Fl
   return { phase, radius };
 }
 
-function packLeaves({ leaves }: Tree, { depth }: Pieces, { piece, v, orientation }: LeafAttachments): TexelArray {
-  const out = texelArray(leaves.count, Object.keys(LEAF_LAYERS).length);
-  const { data } = out;
-  const place = layerStart(out, LEAF_LAYERS.PLACE);
-  const orient = layerStart(out, LEAF_LAYERS.ORIENT);
+function packLeaves(
+  { leaves }: Tree,
+  { depth }: Pieces,
+  { piece, v, orientation }: LeafAttachments,
+): TexelArray<Uint32Array> {
+  const out = wordTexels(leaves.count, Object.keys(LEAF_LAYERS).length);
   // In the leaves' own order: what is read lies in a row, and what is written lies in as many rows as the order has tiers.
   const placeOf = inverseOrder(spreadOrder(leaves.count));
   for (let i = 0; i < leaves.count; i++) {
-    const t = 4 * placeOf[i];
-    data[place + t] = piece[i];
-    data[place + t + 1] = v[i];
-    data[place + t + 2] = leaves.length[i];
-    data[place + t + 3] = leaves.phase[i] + (depth[piece[i]] & 1);
-    data[orient + t] = orientation[4 * i];
-    data[orient + t + 1] = orientation[4 * i + 1];
-    data[orient + t + 2] = orientation[4 * i + 2];
-    data[orient + t + 3] = orientation[4 * i + 3];
+    const odd = (depth[piece[i]] & 1) === 1;
+    writeLeaf(out.data, placeOf[i], piece[i], odd, v[i], leaves.phase[i], orientation, 4 * i);
   }
   return out;
 }

@@ -1,11 +1,11 @@
-/** A texture array of RGBA32F texels, as `layout.ts` describes its layers. */
-export interface TexelArray {
+/** A texture array of four-part texels, as `layout.ts` describes its layers. */
+export interface TexelArray<Data extends Float32Array | Uint32Array = Float32Array> {
   /** Power of two. */
   readonly width: number;
   readonly height: number;
   readonly layers: number;
-  /** layers * height * width * 4 floats, layer by layer, row by row. */
-  readonly data: Float32Array;
+  /** layers * height * width * 4 numbers, layer by layer, row by row. */
+  readonly data: Data;
 }
 
 /** A range of the draw order. */
@@ -27,7 +27,9 @@ export interface PackedTree {
   /** Layers of BRANCH_LAYERS. */
   readonly branches: TexelArray;
   /** Layers of LEAF_LAYERS. */
-  readonly leaves: TexelArray;
+  readonly leaves: TexelArray<Uint32Array>;
+  /** Length of a blade in metres, the same for all leaves of a tree. */
+  readonly leafLength: number;
   /** Part of the branch order that each level holds. */
   readonly levels: readonly DrawRange[];
   /** Box around the tree at rest: min x, y, z, max x, y, z in metres, z-up. */

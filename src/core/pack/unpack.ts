@@ -1,4 +1,4 @@
-import { BRANCH_LAYERS, LEAF_LAYERS, PIECE_LAYERS, POSE_TARGETS } from './layout.ts';
+import { BRANCH_LAYERS, PIECE_LAYERS, POSE_TARGETS } from './layout.ts';
 import type { PackedTree, TexelArray } from './packed.ts';
 import { layerStart } from './texel-array.ts';
 
@@ -89,22 +89,4 @@ export function unpackBranch({ branches }: PackedTree, place: number): UnpackedB
   const [piece, z0, z1, baseRadius] = texel(branches, BRANCH_LAYERS.SPAN, place);
   const [length, phase, depth, parentRadius] = texel(branches, BRANCH_LAYERS.STEM, place);
   return { piece, z0, z1, baseRadius, length, phase, depth, parentRadius };
-}
-
-/** What the leaf shader reads at one place of the draw order. */
-export interface UnpackedLeaf {
-  piece: number;
-  v: number;
-  length: number;
-  /** Turns, plus 1 where the depth of the piece is odd. */
-  phase: number;
-  /** Is the depth of its piece odd? */
-  odd: boolean;
-  orientation: [number, number, number, number];
-}
-
-/** One leaf by its place in the draw order. */
-export function unpackLeaf({ leaves }: PackedTree, place: number): UnpackedLeaf {
-  const [piece, v, length, phase] = texel(leaves, LEAF_LAYERS.PLACE, place);
-  return { piece, v, length, phase: phase % 1, odd: phase >= 1, orientation: texel(leaves, LEAF_LAYERS.ORIENT, place) };
 }

@@ -5,9 +5,10 @@ import { type Shape, stemRadius } from '../../core/deform/radius.ts';
 import { surfacePoint } from '../../core/deform/surface.ts';
 import { bezierPoint } from '../../core/math/bezier.ts';
 import { handlesOf, sectionFrame } from '../../core/math/frames.ts';
-import { type Quaternion, rotateByQuaternion } from '../../core/math/quaternion.ts';
+import { rotateByQuaternion } from '../../core/math/quaternion.ts';
 import { add, scale, transform, type Vec3 } from '../../core/math/vec3.ts';
-import { BRANCH_LAYERS, LEAF_LAYERS } from '../../core/pack/layout.ts';
+import { BRANCH_LAYERS } from '../../core/pack/layout.ts';
+import { leafTexel } from '../../core/pack/leaf-texel.ts';
 import type { PackedTree, TexelArray } from '../../core/pack/packed.ts';
 import { layerStart } from '../../core/pack/texel-array.ts';
 import { planeOf, poseOf } from '../../core/wind/pose-plainly.ts';
@@ -68,13 +69,12 @@ function leafVertices(tree: PackedTree, pose: Float32Array, random: Random): Ver
     position.set([between(random, -0.5, 0.5), between(random, -0.1, 0.1), random()], 3 * i);
     normal.set(direction(random), 3 * i);
     blade[4 * i + 2] = leaf;
-    const [piece, v, size] = texel(tree.leaves, LEAF_LAYERS.PLACE, leaf);
-    const turn = texel(tree.leaves, LEAF_LAYERS.ORIENT, leaf) as Quaternion;
+    const { piece, v, orientation: turn } = leafTexel(tree.leaves.data, leaf);
     const { curve, o } = poseOf(pose, planeOf(tree.restPose), piece);
     const frame = sectionFrame(curve, handlesOf(curve, o), v);
     const p = [...position.subarray(3 * i, 3 * i + 3)] as Vec3;
     const n = [...normal.subarray(3 * i, 3 * i + 3)] as Vec3;
-    const moved = transform(frame, rotateByQuaternion(turn, scale(p, size)));
+    const moved = transform(frame, rotateByQuaternion(turn, scale(p, tree.leafLength)));
     twin.set(add(bezierPoint(curve, v), moved), PARTS * i);
     twin.set(transform(frame, rotateByQuaternion(turn, n)), PARTS * i + 4);
   }
@@ -121,7 +121,7 @@ export function checkDeformers(renderer: WebGLRenderer, name: string, tree: Pack
       ...shared,
       leafLog2Width: { value: Math.log2(tree.leaves.width) },
       leafRange: { value: new Vector2(tree.leafCount, tree.leafCount) },
-      leafGrow: { value: new Vector2(1, 1) },
+      leafSize: { value: new Vector2(tree.leafLength, tree.leafLength) },
       leafFlutter: { value: new Vector2(0, 0) },
     },
   });

@@ -1,8 +1,9 @@
 import { bezierArcLength } from '../../core/math/bezier.ts';
 import { addScaled, distance, type Vec3 } from '../../core/math/vec3.ts';
 import { BRANCH_LAYERS, LEAF_LAYERS, PIECE_LAYERS, POSE_TARGETS } from '../../core/pack/layout.ts';
+import { writeLeaf } from '../../core/pack/leaf-texel.ts';
 import type { PackedTree } from '../../core/pack/packed.ts';
-import { layerStart, texelArray } from '../../core/pack/texel-array.ts';
+import { layerStart, texelArray, wordTexels } from '../../core/pack/texel-array.ts';
 import { bendWeights } from '../../core/wind/bend.ts';
 import { createWindState } from '../../core/wind/fade.ts';
 import { planeOf, poseOf, poseTreePlainly } from '../../core/wind/pose-plainly.ts';
@@ -103,7 +104,7 @@ function drawn(
   { pieceCount, pieces, restPose }: Pick<PackedTree, 'pieceCount' | 'pieces' | 'restPose'>,
   depthStart: Uint32Array,
   random: Random,
-): Pick<PackedTree, 'branches' | 'leaves' | 'leafCount' | 'levels' | 'bounds' | 'crown'> {
+): Pick<PackedTree, 'branches' | 'leaves' | 'leafCount' | 'leafLength' | 'levels' | 'bounds' | 'crown'> {
   const branches = texelArray(pieceCount, Object.keys(BRANCH_LAYERS).length);
   const depths = depthStart.length - 1;
   const low: Vec3 = [Infinity, Infinity, Infinity];
@@ -125,11 +126,10 @@ function drawn(
   }
   const first = depthStart[depths - 1];
   const leafCount = pieceCount - first;
-  const leaves = texelArray(leafCount, Object.keys(LEAF_LAYERS).length);
+  const leaves = wordTexels(leafCount, Object.keys(LEAF_LAYERS).length);
   for (let i = 0; i < leafCount; i++) {
-    const odd = (depths - 1) & 1;
-    leaves.data.set([first + i, random(), 0.08, odd + random()], layerStart(leaves, LEAF_LAYERS.PLACE) + 4 * i);
-    leaves.data.set(rotation(random), layerStart(leaves, LEAF_LAYERS.ORIENT) + 4 * i);
+    const odd = (depths - 1) % 2 === 1;
+    writeLeaf(leaves.data, i, first + i, odd, random(), random(), rotation(random), 0);
   }
   const centre = low.map((l, k) => (l + high[k]) / 2);
   const radius = distance(low, high) / 2;
@@ -137,6 +137,7 @@ function drawn(
     branches,
     leaves,
     leafCount,
+    leafLength: 0.08,
     levels: Array.from({ length: depths }, (_, d) => ({
       start: depthStart[d],
       count: depthStart[d + 1] - depthStart[d],

@@ -42,7 +42,7 @@ test('pieces, depth and bytes come from what is packed', () => {
   expect(stats.levels.reduce((sum, level) => sum + level.pieces, 0)).toBe(pieces.count);
   expect(stats.maxDepth).toBe(pieces.maxDepth);
   expect(stats.bytes).toBe(
-    [packed.pieces, packed.restPose, packed.branches, packed.leaves].reduce(
+    [packed.pieces, packed.restPose, packed.restPose, packed.branches, packed.leaves].reduce(
       (sum, { data }) => sum + 4 * data.length,
       0,
     ),

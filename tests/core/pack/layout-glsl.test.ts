@@ -10,10 +10,10 @@ it('states every layer of the tables as a GLSL constant', () => {
     PIECE_TIP: PIECE_LAYERS.TIP,
     BRANCH_SPAN: BRANCH_LAYERS.SPAN,
     BRANCH_STEM: BRANCH_LAYERS.STEM,
-    LEAF_ORIENT: LEAF_LAYERS.ORIENT,
+    LEAF_LEAF: LEAF_LAYERS.LEAF,
     POSE_P3: POSE_TARGETS.P3,
   });
-  expect(stated).toHaveLength(5 + 2 + 2 + 4);
+  expect(stated).toHaveLength(5 + 2 + 1 + 4);
   expect(glsl).toContain('ivec3 texelAt(int index, int log2Width, int layer)');
 });
 
