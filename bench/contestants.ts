@@ -53,7 +53,7 @@ export async function windgroveTree(
   tree.setWind(presets[DEFAULT_WIND]!);
   tree.setShadows(true, true);
   return {
-    name: `Windgrove, ${species.name}`,
+    name: `Windgrove, ${species.name}${leafBudget === undefined ? '' : `, leafBudget ${leafBudget}`}`,
     object: tree,
     update: (time) => tree.update(renderer, time),
     box: uprightBox(packed.bounds),

@@ -58,7 +58,7 @@ async function runPage(browser: Browser, url: string): Promise<BenchReport | Fai
   const page = await browser.newPage({ viewport: { width: 1024, height: 640 }, deviceScaleFactor: 1 });
   const errors: string[] = [];
   page.on('pageerror', (error) => errors.push(error.message));
-  page.on('console', (message) => console.log(`  ${message.text()}`));
+  page.on('console', (message) => message.type() === 'log' && console.log(`  ${message.text()}`));
   try {
     await page.goto(url);
     const done = await page.waitForFunction(() => document.querySelector('#report')?.textContent?.trim(), null, {

@@ -41,6 +41,7 @@ export class LivePicture implements Picture {
   private scale = 1;
   private drawn = 0;
   private hurried = false;
+  private frame = 0;
 
   /** Draws in `host`, as large as that is. Throws where the browser gives no WebGL2 context. */
   constructor(host: HTMLElement, events: PictureEvents) {
@@ -143,11 +144,15 @@ export class LivePicture implements Picture {
     tree.update(renderer, time);
     this.timer.end();
     const submitted = performance.now();
-    stage.render(this.stale || time !== this.time);
+    const moved = this.stale || time !== this.time;
+    // On a slow machine shadows follow every third frame while things move: they cost as much as the tree.
+    const shadows = moved && (this.scale === 1 || this.frame % 3 === 0);
+    stage.render(shadows);
+    this.frame++;
     const drawn = performance.now();
     // Where nothing changed the pass did nothing: its last figure stands.
-    if (this.stale || time !== this.time) this.windMs = this.timer.milliseconds ?? submitted - start;
-    this.stale = false;
+    if (moved) this.windMs = this.timer.milliseconds ?? submitted - start;
+    this.stale = moved && !shadows;
     this.time = time;
     if (this.gliding && !this.held && !stage.moving) this.settle();
     const { triangles, calls } = renderer.info.render;
