@@ -18,10 +18,11 @@ const heightOf = (tree: Contestant): number => tree.box.max.y;
 /** Both trees are framed by the same box: the whole of it, three times as far, or a part of the crown from close by. */
 function look(stage: Stage, tree: Contestant, view: View): void {
   const { position, target } = stage.frame(tree.box);
+  const eye = position.y;
   const factor = { near: 0.36, whole: 1, far: 2.2 }[view];
   stage.controls.target.copy(target);
   stage.camera.position.copy(position).sub(target).multiplyScalar(factor).add(target);
-  if (view === 'near') stage.camera.position.y = 0.28 * heightOf(tree);
+  stage.camera.position.y = view === 'near' ? 0.28 * heightOf(tree) : eye;
 }
 
 /** A still: the tree of the query on the stage, once. */

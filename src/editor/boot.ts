@@ -1,6 +1,7 @@
 import { type LinkDocument, type LinkFault, roundTime } from '../core/link/link.ts';
 import { presets } from '../core/wind/presets.ts';
 import { Clock } from '../view/clock.ts';
+import { openPicture } from '../view/picture/open-picture.ts';
 import { createActions } from './actions.ts';
 import { Address } from './address.ts';
 import { listenToDrops } from './drop.ts';
@@ -9,9 +10,7 @@ import { firstDocument } from './first-document.ts';
 import { followDocument } from './follow-document.ts';
 import { Grower } from './grower.ts';
 import { Loop } from './loop.ts';
-import { openPicture } from './open-picture.ts';
 import { listenToOrbitKeys } from './orbit-keys.ts';
-import type { Picture } from './picture.ts';
 import { loadPreferences, savePreferences } from './preferences.ts';
 import { createSession, type SpeciesEntry } from './session.ts';
 import { listenToKeys } from './shortcuts.ts';
@@ -29,6 +28,8 @@ const HINTS = {
   still: 'Your system asks for less motion, so time stands still. Press play, or Space, to let it run.',
 };
 
+const STILL =
+  'The tree is drawn once for each change. Another browser, or graphics acceleration switched on, shows it in the wind.';
 const LOST = 'The graphics card was taken away; the picture comes back with it';
 
 /** Starts the editor: the picture in `host`, the interface in `place`. */
@@ -89,13 +90,13 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
       const at = performance.now();
       if (!clock.playing || at - measured > FIGURES) {
         measured = at;
-        session.setState({ frames: { ...figures, frame: loop.frameInterval } });
+        session.setState({ frames: { ...figures, interval: loop.frameInterval } });
       }
       if (grower.current) root.dataset.ready = 'true';
     },
     () => picture.moving,
   );
-  const picture: Picture = openPicture(host, session, actions, {
+  const { picture, lack, reason } = openPicture(host, {
     onChange: () => loop.invalidate(),
     onCamera: (camera) => actions.setCamera(camera),
     onLost: (lost) => {
@@ -173,7 +174,11 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
   else if (!preferences.visited) session.setState({ hint: HINTS.first });
   preferences.visited = true;
   savePreferences(preferences);
-  if (session.getState().still) document.setState({ paused: true });
+  if (lack === 'slow') actions.notify('warning', 'The wind is slower here than it could be', [reason]);
+  if (lack === 'still') {
+    actions.notify('warning', 'This is a still picture', [reason, STILL]);
+    document.setState({ paused: true });
+  }
   restart();
   // Without the list there is one message, not two; a species of the reader's own needs no list.
   if (!broken || first.document.ownSpecies !== null) await grower.grow();

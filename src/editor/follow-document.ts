@@ -1,8 +1,8 @@
 import type { LinkDocument } from '../core/link/link.ts';
 import type { Wind } from '../core/wind/wind.ts';
 import type { Clock } from '../view/clock.ts';
+import type { Picture } from '../view/picture/picture.ts';
 import type { Editor } from './editor.ts';
-import type { Picture } from './picture.ts';
 
 /** Seconds that a change of the wind takes while time runs. */
 const FADE = 0.8;

@@ -1,7 +1,6 @@
 import type { LinkDocument } from '../core/link/link.ts';
 import type { Species } from '../core/species/species.ts';
-import { growInWorker } from '../worker/client.ts';
-import type { GrownTree, GrowProgress } from '../worker/protocol.ts';
+import { type GrownTree, type GrowProgress, growTree } from '../view/picture/grow-tree.ts';
 import type { Actions } from './actions.ts';
 import { type DocumentStore, watch } from './editor.ts';
 import type { SessionStore } from './session.ts';
@@ -75,7 +74,7 @@ export class Grower {
       const found = await this.find(wish);
       if (abort.signal.aborted) return;
       this.session.setState({ growing: { name: found.name, progress: 0 }, spoken: `Growing ${found.name}` });
-      const grown = await growInWorker(found, seed, {
+      const grown = await growTree(found, seed, {
         signal: abort.signal,
         onProgress: (progress) => {
           if (abort.signal.aborted) return;

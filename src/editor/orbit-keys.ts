@@ -1,6 +1,6 @@
 import type { CameraPose } from '../core/link/link.ts';
+import type { Picture } from '../view/picture/picture.ts';
 import type { Actions } from './actions.ts';
-import type { Picture } from './picture.ts';
 
 /** Degrees and share of the distance that one press moves the camera. */
 const TURN = 5;

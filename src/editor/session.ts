@@ -1,5 +1,6 @@
 import { createStore } from 'zustand/vanilla';
 import type { Species } from '../core/species/species.ts';
+import type { FrameFigures } from '../view/picture/picture.ts';
 
 /** A species of `species/index.json`. */
 export interface SpeciesEntry {
@@ -33,13 +34,9 @@ export interface TreeFigures {
 }
 
 /** What the last frames took. */
-export interface FrameFigures {
-  readonly triangles: number;
-  readonly drawCalls: number;
-  /** Milliseconds from frame to frame while playing, of the wind pass and of the drawing; 0 where none was measured yet. */
-  readonly frame: number;
-  readonly wind: number;
-  readonly draw: number;
+export interface Frames extends FrameFigures {
+  /** Milliseconds from frame to frame while playing; 0 where time stands. */
+  readonly interval: number;
 }
 
 /** The tree on the screen. */
@@ -64,7 +61,7 @@ export interface Session {
   /** What is growing, and how far it is (0..1); null while nothing grows. */
   readonly growing: { readonly name: string; readonly progress: number } | null;
   readonly notices: readonly Notice[];
-  readonly frames: FrameFigures | null;
+  readonly frames: Frames | null;
   /** Spoken by screen readers. */
   readonly spoken: string;
   /** One line for a first visit, empty afterwards. */
@@ -74,8 +71,6 @@ export interface Session {
   readonly narrow: boolean;
   readonly detent: Detent;
   readonly tab: Panel;
-  /** The picture cannot move: no WebGL2. */
-  readonly still: boolean;
 }
 
 export type SessionStore = ReturnType<typeof createSession>;
@@ -93,6 +88,5 @@ export const createSession = (initial: Partial<Session> = {}) =>
     narrow: false,
     detent: 'third',
     tab: 'grow',
-    still: false,
     ...initial,
   }));

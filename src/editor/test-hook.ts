@@ -1,6 +1,6 @@
 import type { LinkDocument } from '../core/link/link.ts';
+import type { OnScreen, Picture } from '../view/picture/picture.ts';
 import type { Editor } from './editor.ts';
-import type { OnScreen, Picture } from './picture.ts';
 
 /** What tests and curious people may ask the page for: `window.windgrove`. */
 export interface TestHook {

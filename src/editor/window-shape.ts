@@ -1,5 +1,5 @@
+import type { Insets } from '../view/picture/picture.ts';
 import { watch } from './editor.ts';
-import type { Insets } from './picture.ts';
 import type { SessionStore } from './session.ts';
 
 /** Below this many pixels there is no room for panels at both sides. */

@@ -18,7 +18,7 @@ class Statistics extends Part {
       ['Draw calls', frames ? count(frames.drawCalls) : '–'],
       ['Grow', milliseconds(tree?.figures.grow), 'ms'],
       ['Wind pass', milliseconds(frames?.wind), 'ms'],
-      ['Frame', milliseconds(frames?.frame || frames?.draw), 'ms'],
+      ['Frame', milliseconds(frames?.interval || frames?.draw), 'ms'],
     ];
     const table = html`<dl class="figures">${rows.map(
       ([name, value, unit]) =>

@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { Vector3 } from 'three';
 import { expect, it } from 'vitest';
-import { roundCamera } from '../../src/core/link/link.ts';
-import { placeOf, poseOf } from '../../src/editor/camera-pose.ts';
+import { roundCamera } from '../../../src/core/link/link.ts';
+import { placeOf, poseOf } from '../../../src/view/picture/camera-pose.ts';
 
 const number = (min: number, max: number) => fc.double({ min, max, noNaN: true });
 

@@ -1,8 +1,7 @@
-import type { CameraPose, ViewMode } from '../core/link/link.ts';
-import type { Species } from '../core/species/species.ts';
-import type { Wind } from '../core/wind/wind.ts';
-import type { GrownTree } from '../worker/protocol.ts';
-import type { FrameFigures } from './session.ts';
+import type { CameraPose, ViewMode } from '../../core/link/link.ts';
+import type { Species } from '../../core/species/species.ts';
+import type { Wind } from '../../core/wind/wind.ts';
+import type { GrownTree } from './grow-tree.ts';
 
 /** Pixels of the window that panels cover: the tree is framed in what is left. */
 export interface Insets {
@@ -26,7 +25,16 @@ export interface OnScreen {
   readonly horizon: number;
 }
 
-/** What the editor shows a tree on: the stage, or a still drawing where there is no WebGL2. */
+/** What a frame took. */
+export interface FrameFigures {
+  readonly triangles: number;
+  readonly drawCalls: number;
+  /** Milliseconds of the wind pass, and of the whole drawing as far as the page waits for it. */
+  readonly wind: number;
+  readonly draw: number;
+}
+
+/** What a page shows a tree on: the stage, or a still drawing where there is no WebGL2. */
 export interface Picture {
   setTree(grown: GrownTree, species: Species): void;
   /** Lets `wind` blow after `fade` seconds of change; 0: at once. */
@@ -52,7 +60,7 @@ export interface Picture {
   capture(time: number): string;
 }
 
-/** What a picture tells the editor. */
+/** What a picture tells its page. */
 export interface PictureEvents {
   /** Something changed by itself (a size, a finger on the camera): draw again. */
   readonly onChange: () => void;

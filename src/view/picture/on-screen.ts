@@ -1,8 +1,8 @@
 import { type Object3D, type PerspectiveCamera, Vector3 } from 'three';
-import { bezierPoint, type Cubic } from '../core/math/bezier.ts';
-import type { Vec3 } from '../core/math/vec3.ts';
-import { POSE_TARGETS, TEXEL } from '../core/pack/layout.ts';
-import type { PackedTree } from '../core/pack/packed.ts';
+import { bezierPoint, type Cubic } from '../../core/math/bezier.ts';
+import type { Vec3 } from '../../core/math/vec3.ts';
+import { POSE_TARGETS, TEXEL } from '../../core/pack/layout.ts';
+import type { PackedTree } from '../../core/pack/packed.ts';
 import type { OnScreen } from './picture.ts';
 
 /** Points along a piece. */

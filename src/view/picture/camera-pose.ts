@@ -1,6 +1,6 @@
 import { Box3, Vector3 } from 'three';
-import type { CameraPose } from '../core/link/link.ts';
-import type { PackedTree } from '../core/pack/packed.ts';
+import type { CameraPose } from '../../core/link/link.ts';
+import type { PackedTree } from '../../core/pack/packed.ts';
 
 const DEGREE = Math.PI / 180;
 

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { Pace } from '../../src/editor/pace.ts';
+import { Pace } from '../../../src/view/picture/pace.ts';
 
 const run = (pace: Pace, frames: number, milliseconds: number): number => {
   for (let i = 0; i < frames; i++) pace.frame(milliseconds);

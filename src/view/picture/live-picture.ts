@@ -1,16 +1,15 @@
 import { Vector3 } from 'three';
-import type { CameraPose } from '../core/link/link.ts';
-import type { Species } from '../core/species/species.ts';
-import type { Wind } from '../core/wind/wind.ts';
-import { Stage } from '../view/stage.ts';
-import { WindTree } from '../view/wind-tree.ts';
-import type { GrownTree } from '../worker/protocol.ts';
+import type { CameraPose } from '../../core/link/link.ts';
+import type { Species } from '../../core/species/species.ts';
+import type { Wind } from '../../core/wind/wind.ts';
+import { Stage } from '../stage.ts';
+import { WindTree } from '../wind-tree.ts';
 import { boxOf, placeOf, poseOf } from './camera-pose.ts';
 import { GpuTimer } from './gpu-timer.ts';
+import type { GrownTree } from './grow-tree.ts';
 import { onScreen, tipsOf } from './on-screen.ts';
 import { Pace } from './pace.ts';
-import type { Insets, OnScreen, Picture, PictureEvents, Show } from './picture.ts';
-import type { FrameFigures } from './session.ts';
+import type { FrameFigures, Insets, OnScreen, Picture, PictureEvents, Show } from './picture.ts';
 
 /** Milliseconds of a frame on most screens, and the part of the camera's swing that is left after one. */
 const FRAME = 1000 / 60;
@@ -156,7 +155,7 @@ export class LivePicture implements Picture {
     this.time = time;
     if (this.gliding && !this.held && !stage.moving) this.settle();
     const { triangles, calls } = renderer.info.render;
-    return { triangles, drawCalls: calls, wind: this.windMs, draw: drawn - start, frame: 0 };
+    return { triangles, drawCalls: calls, wind: this.windMs, draw: drawn - start };
   }
 
   tips(): Float32Array {

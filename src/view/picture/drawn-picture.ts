@@ -1,24 +1,23 @@
 import { MathUtils, PerspectiveCamera, Vector3 } from 'three';
-import type { CameraPose } from '../core/link/link.ts';
-import type { Species } from '../core/species/species.ts';
-import { WindFader } from '../core/wind/fade.ts';
-import { poseTree } from '../core/wind/pose-tree.ts';
-import { presets } from '../core/wind/presets.ts';
-import type { Wind } from '../core/wind/wind.ts';
-import { frameTree } from '../view/framing.ts';
-import { drawStillPicture } from '../view/still-picture.ts';
-import type { GrownTree } from '../worker/protocol.ts';
+import type { CameraPose } from '../../core/link/link.ts';
+import type { Species } from '../../core/species/species.ts';
+import { WindFader } from '../../core/wind/fade.ts';
+import { poseTree } from '../../core/wind/pose-tree.ts';
+import { presets } from '../../core/wind/presets.ts';
+import type { Wind } from '../../core/wind/wind.ts';
+import { frameTree } from '../framing.ts';
+import { drawStillPicture } from '../still-picture.ts';
 import { boxOf, placeOf, poseOf } from './camera-pose.ts';
+import type { GrownTree } from './grow-tree.ts';
 import { tipsOf } from './on-screen.ts';
-import type { Insets, OnScreen, Picture, PictureEvents, Show } from './picture.ts';
-import type { FrameFigures } from './session.ts';
+import type { FrameFigures, Insets, OnScreen, Picture, PictureEvents, Show } from './picture.ts';
 
 /** Vertical field of view in degrees and azimuth of the first view in radians: those of the stage. */
 const FOV = 30;
 const AZIMUTH = 0.2;
 
 /** Draws the tree on a 2D canvas, posed by the reference on the CPU, where there is no WebGL2: once for each change. */
-export class StillPicture implements Picture {
+export class DrawnPicture implements Picture {
   readonly canvas = document.createElement('canvas');
   /** The reader moves the camera with keys alone. */
   readonly moving = false;
@@ -83,7 +82,7 @@ export class StillPicture implements Picture {
   draw(time: number): FrameFigures {
     const start = performance.now();
     const context = this.canvas.getContext('2d');
-    if (!this.grown || !this.species || !context) return { triangles: 0, drawCalls: 0, frame: 0, wind: 0, draw: 0 };
+    if (!this.grown || !this.species || !context) return { triangles: 0, drawCalls: 0, wind: 0, draw: 0 };
     const { packed } = this.grown;
     poseTree(packed, this.fader.at(time), 'exact', undefined, this.pose);
     const posed = performance.now();
@@ -94,7 +93,7 @@ export class StillPicture implements Picture {
       leaves: showLeaves && levelsShown >= packed.levels.length,
       pose: this.pose,
     });
-    return { triangles: 0, drawCalls: 0, frame: 0, wind: posed - start, draw: performance.now() - start };
+    return { triangles: 0, drawCalls: 0, wind: posed - start, draw: performance.now() - start };
   }
 
   tips(): Float32Array {
