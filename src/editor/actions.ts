@@ -53,7 +53,7 @@ export function createActions(
     setSpecies: (species: string) => set({ species, ownSpecies: null }),
     openSpecies: (text: string) => set({ ownSpecies: text }),
     setSeed: (seed: number) => set({ seed: roundTo(LINK_NUMBERS.seed, seed) }),
-    rollSeed: () => set({ seed: Math.floor(Math.random() * 10_000) }),
+    rollSeed: () => set({ seed: crypto.getRandomValues(new Uint32Array(1))[0]! % 10_000 }),
     setLevels: (levelsShown: number) => set({ levelsShown }),
     setShowLeaves: (showLeaves: boolean) => set({ showLeaves }),
     setView: (view: ViewMode) => set({ view }),
