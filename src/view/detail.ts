@@ -72,6 +72,20 @@ const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 700_000, high: 6_000_0
 /** Leaves that are drawn at most, by default. */
 export const LEAF_BUDGET: Record<Detail, number> = { auto: 150_000, high: 600_000, low: 30_000 };
 
+/** Shortest blade in pixels that is worth a leaf of its own. */
+const LEAST_BLADE = 4;
+
+/**
+ * How many of `count` leaves are drawn whose blades are `length` pixels long on screen: all while they can be told apart, then
+ * so many that those which remain, grown to cover as much, are about `LEAST_BLADE` long. Steps of an eighth of an octave, too
+ * small to be seen coming or going.
+ */
+export function leavesDrawn(count: number, length: number, budget: number, detail: Detail): number {
+  const fraction = ((length * FACTOR[detail]) / LEAST_BLADE) ** 2;
+  const step = fraction >= 1 ? 1 : 2 ** (Math.floor(8 * Math.log2(fraction)) / 8);
+  return Math.max(1, Math.min(budget, Math.ceil(count * step)));
+}
+
 /**
  * Factors on a leaf's width and length where only `fraction` of the leaves is drawn, so that they cover as much: narrow
  * leaves grow in width first, since a willow with broad leaves is still a willow and one with long leaves is not.
