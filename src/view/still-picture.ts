@@ -194,7 +194,7 @@ function foliage(
   const centre = new Vector3(tree.crown[0], tree.crown[2], -tree.crown[1]);
   const radii = new Vector3(tree.crown[3], tree.crown[5], tree.crown[4]);
   const p = new Vector3();
-  const { leafLength } = tree;
+  const leafLength = tree.leafLength * look.size;
   for (let i = 0; i < count; i++) {
     const { piece, v, phase } = leafTexel(tree.leaves.data, i);
     const turn = phase * Math.PI * 2;

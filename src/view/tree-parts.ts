@@ -285,7 +285,7 @@ export class TreeParts extends Object3D {
   #fitLeaves(tree: PackedTree, species: Species, camera: Camera): void {
     const { leaves, foliage } = species;
     const { leafLook, shown } = this;
-    const length = tree.leafLength;
+    const length = tree.leafLength * foliage.size;
     const scale = pixelsPerMetre(camera, this.matrixWorld, this.#box as Box3, this.pictureHeight);
     const count = leavesDrawn(tree.leafCount, length * scale, Math.min(tree.leafCount, shown.leafBudget), shown.detail);
     const [growX, growY] = leafGrowth(count / tree.leafCount, leaves.scaleX);

@@ -42,6 +42,10 @@ export const FOLIAGE_PARAMETERS: readonly Parameter[] = [
     integer: true,
     names: LEAF_SHAPES,
   }),
+  number('foliage', 'size', 'Drawn size', 'Size of a drawn blade as a part of the leaf scale.', [0.1, 5, 0.05], {
+    ...OURS,
+    default: 1,
+  }),
   colour('foliage', 'colour', 'Leaf colour', 'Colour of the upper face.', '#5d8a35'),
   colour('foliage', 'under', 'Underside', 'Colour of the lower face.', '#93ab6a'),
   colour('foliage', 'glow', 'Glow', 'Colour of the light that comes through.', '#b5cf4a'),

@@ -121,6 +121,8 @@ export interface BarkLook {
 export interface FoliageLook {
   /** Outline that is drawn in place of `leaves.shape`, same ids; absent: `leaves.shape`. */
   readonly outline?: number;
+  /** Drawn length of a blade as a part of `leaves.scale`, where the printed leaf is too small for its tree. */
+  readonly size: number;
   /** sRGB, '#rrggbb': upper face, lower face, and light that comes through. */
   readonly colour: string;
   readonly under: string;
