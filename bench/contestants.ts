@@ -2,9 +2,9 @@ import { Tree } from '@dgreenheck/ez-tree';
 import { Box3, type MeshPhongMaterial, type Object3D, type WebGLRenderer } from 'three';
 import type { Species } from '../src/core/species/species.ts';
 import { DEFAULT_WIND, presets } from '../src/core/wind/presets.ts';
+import { uprightBox } from '../src/view/tree-extent.ts';
 import { WindTree } from '../src/view/wind-tree.ts';
 import { growInWorker } from '../src/worker/client.ts';
-import { uprightBox } from './upright-box.ts';
 
 /** A tree to draw beside another. */
 export interface Contestant {

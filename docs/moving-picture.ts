@@ -1,9 +1,10 @@
 // The tree of the README's moving picture, one frame at a time: `show(t)` draws it at t seconds. Everything that moves has a
 // period that fits into LOOP seconds a whole number of times, so the last frame leads into the first.
-import { uprightBox } from '../bench/upright-box.ts';
+
 import type { Species } from '../src/core/species/species.ts';
 import type { Wave, Wind } from '../src/core/wind/wind.ts';
 import { Stage } from '../src/view/stage.ts';
+import { uprightBox } from '../src/view/tree-extent.ts';
 import { WindTree } from '../src/view/wind-tree.ts';
 import { growInWorker } from '../src/worker/client.ts';
 

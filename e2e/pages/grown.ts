@@ -1,10 +1,11 @@
-import { Box3, Vector3 } from 'three';
+import type { Box3 } from 'three';
 import { grow } from '../../src/core/grow/grow.ts';
 import { packTree } from '../../src/core/pack/pack.ts';
 import type { PackedTree } from '../../src/core/pack/packed.ts';
 import { attachLeaves } from '../../src/core/pieces/attach-leaves.ts';
 import { fitPieces } from '../../src/core/pieces/fit-pieces.ts';
 import type { Species } from '../../src/core/species/species.ts';
+import { uprightBox } from '../../src/view/tree-extent.ts';
 
 /** A tree grown in the page, without the worker. */
 export interface Grown {
@@ -21,8 +22,7 @@ export async function grown(name: string, seed: number, edit?: (species: Species
   const tree = grow(species, seed);
   const pieces = fitPieces(tree);
   const packed = packTree(tree, pieces, attachLeaves(tree, pieces));
-  const [x0, y0, z0, x1, y1, z1] = packed.bounds;
-  return { species, packed, box: new Box3(new Vector3(x0, z0, -y1), new Vector3(x1, z1, -y0)) };
+  return { species, packed, box: uprightBox(packed.bounds) };
 }
 
 /** Fewer branches and leaves: what software GL draws in a test. */

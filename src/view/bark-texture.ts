@@ -1,13 +1,7 @@
-import {
-  DataTexture,
-  LinearFilter,
-  LinearMipmapLinearFilter,
-  RepeatWrapping,
-  RGBAFormat,
-  UnsignedByteType,
-} from 'three';
+import type { DataTexture } from 'three';
 import type { BarkLook } from '../core/species/species.ts';
 import { type BarkImage, barkImage } from './bark-image.ts';
+import { tileTexture } from './tile-texture.ts';
 
 /** Texels a side: two millimetres of bark each. */
 const SIZE = 512;
@@ -21,14 +15,8 @@ export function barkTexture(kind: BarkLook['kind']): DataTexture {
     image = barkImage(kind, SIZE);
     images.set(kind, image);
   }
-  const texture = new DataTexture(image.data, SIZE, SIZE, RGBAFormat, UnsignedByteType);
-  texture.wrapS = RepeatWrapping;
-  texture.wrapT = RepeatWrapping;
-  texture.magFilter = LinearFilter;
-  texture.minFilter = LinearMipmapLinearFilter;
-  texture.generateMipmaps = true;
+  const texture = tileTexture(image.data, SIZE);
   texture.anisotropy = 4;
   texture.name = `bark ${kind}`;
-  texture.needsUpdate = true;
   return texture;
 }

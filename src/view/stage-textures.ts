@@ -1,11 +1,5 @@
-import {
-  DataTexture,
-  LinearFilter,
-  LinearMipmapLinearFilter,
-  RepeatWrapping,
-  RGBAFormat,
-  UnsignedByteType,
-} from 'three';
+import type { DataTexture } from 'three';
+import { tileTexture } from './tile-texture.ts';
 import { gradientField, gradientNoise } from './tiling-noise.ts';
 
 /** One octave of a tiling pattern: cells across and along, weight. */
@@ -28,14 +22,7 @@ function noiseTile(size: number, channels: readonly (readonly Octave[])[]): Data
       }
     }
   });
-  const texture = new DataTexture(data, size, size, RGBAFormat, UnsignedByteType);
-  texture.wrapS = RepeatWrapping;
-  texture.wrapT = RepeatWrapping;
-  texture.magFilter = LinearFilter;
-  texture.minFilter = LinearMipmapLinearFilter;
-  texture.generateMipmaps = true;
-  texture.needsUpdate = true;
-  return texture;
+  return tileTexture(data, size);
 }
 
 /** Red: blades. Green: tufts. Blue: patches. */

@@ -1,5 +1,6 @@
 import type { Tree } from '../grow/tree.ts';
-import { quaternionOfColumns, RECORD, recordArc, recordFrame, recordParameter, transportRecord } from './curve.ts';
+import { writeQuaternion } from '../math/quaternion.ts';
+import { RECORD, recordArc, recordFrame, recordParameter, transportRecord } from './curve.ts';
 import type { LeafAttachments, Pieces } from './pieces.ts';
 
 /**
@@ -33,14 +34,14 @@ export function attachLeaves(tree: Tree, pieces: Pieces): LeafAttachments {
       z1 = span[2 * p + 1];
       if (straight) {
         recordFrame(record, 0, 0.5, frame);
-        quaternionOfColumns(frame, quaternion, 0);
+        writeQuaternion(frame, quaternion, 0);
       }
     }
     let v = Math.min(1, Math.max(0, (z[i] - z0) / (z1 - z0)));
     if (!straight) {
       v = Math.fround(recordParameter(record, 0, v, arc));
       recordFrame(record, 0, v, frame);
-      quaternionOfColumns(frame, quaternion, 0);
+      writeQuaternion(frame, quaternion, 0);
     }
     piece[i] = p;
     vs[i] = v;

@@ -1,14 +1,7 @@
 import type { Tree } from '../grow/tree.ts';
+import { writeQuaternion } from '../math/quaternion.ts';
 import { type Chains, fitChains } from './chain.ts';
-import {
-  quaternionOfColumns,
-  RECORD,
-  recordArc,
-  recordFrame,
-  recordParameter,
-  recordPoint,
-  transportRecord,
-} from './curve.ts';
+import { RECORD, recordArc, recordFrame, recordParameter, recordPoint, transportRecord } from './curve.ts';
 import { orderPieces, type PieceOrder } from './order.ts';
 import type { Pieces } from './pieces.ts';
 
@@ -110,11 +103,11 @@ function place(tree: Tree, chains: Chains, parentOf: Int32Array, order: PieceOrd
       arcs[i] = recordArc(record, at, 1);
       const edge = baseFrame(record, at, c, o, base);
       if (chained) identity(quaternion);
-      else if (above < 0) quaternionOfColumns(base, quaternion, 0);
+      else if (above < 0) writeQuaternion(base, quaternion, 0);
       else {
         recordFrame(record, RECORD * above, v, frame);
         relative(frame, base, turn);
-        quaternionOfColumns(turn, quaternion, 0);
+        writeQuaternion(turn, quaternion, 0);
       }
       pieces.depth[to] = depthOf[i];
       pieces.stem[to] = stem;

@@ -1,6 +1,7 @@
 import { Vector2, Vector3, Vector4, type WebGLRenderer } from 'three';
 import branchVertex from '../../../shaders/debug/check-branch.vert';
 import leafVertex from '../../../shaders/debug/check-leaf.vert';
+import { collar } from '../../core/deform/collar.ts';
 import { type Shape, stemRadius } from '../../core/deform/radius.ts';
 import { surfacePoint } from '../../core/deform/surface.ts';
 import { bezierPoint } from '../../core/math/bezier.ts';
@@ -25,6 +26,9 @@ import { runVertices, type VertexRun } from './run-vertices.ts';
 /** Everything that a stem's radius may have, so that each term is compared. */
 const SHAPE: Shape = { taper: 1.2, flare: 0.7, lobes: 5, lobeDepth: 0.1, lobeFade: 0.6, bulges: 3, bulgeDepth: 0.06 };
 
+/** How much wider a stem is where it leaves its parent. */
+const COLLAR = 0.4;
+
 const STEP_NUMBER = 100;
 const VERTICES = 6000;
 
@@ -46,11 +50,14 @@ function branchVertices(tree: PackedTree, pose: Float32Array, random: Random): V
     position.set([Math.cos(2 * Math.PI * turns), Math.sin(2 * Math.PI * turns), v], 3 * i);
     normal.set([turns, place, 0], 3 * i);
     const [piece, z0, z1, baseRadius] = texel(tree.branches, BRANCH_LAYERS.SPAN, place);
-    const [length] = texel(tree.branches, BRANCH_LAYERS.STEM, place);
+    const [length, , , parentRadius] = texel(tree.branches, BRANCH_LAYERS.STEM, place);
     const { curve, o } = poseOf(pose, planeOf(tree.restPose), piece);
-    const [rho, slope, q] = stemRadius(SHAPE, baseRadius, length, z0 + (z1 - z0) * v, turns);
+    const z = z0 + (z1 - z0) * v;
+    const [radius, taper, q] = stemRadius(SHAPE, baseRadius, length, z, turns);
+    const [swell, swelling] = collar(z * length, radius, parentRadius, COLLAR);
+    const slope = taper * swell + radius * swelling * length;
     const [cos, sin] = [position[3 * i], position[3 * i + 1]];
-    const point = surfacePoint(curve, handlesOf(curve, o), v, cos, sin, rho, slope * (z1 - z0), q);
+    const point = surfacePoint(curve, handlesOf(curve, o), v, cos, sin, radius * swell, slope * (z1 - z0), q);
     [point.position, point.normal, point.around, point.along].forEach((vector, k) => {
       twin.set(vector, PARTS * i + 4 * k);
     });
@@ -104,11 +111,10 @@ export function checkDeformers(renderer: WebGLRenderer, name: string, tree: Pack
       ...shared,
       branchLog2Width: { value: Math.log2(tree.branches.width) },
       branchRange: { value: new Vector3(0, tree.pieceCount, tree.pieceCount) },
-      // The last number is the collar where a stem leaves its parent: a matter of looks, without a reference, so left out.
       stemShape: {
         value: [
           new Vector4(SHAPE.taper, SHAPE.flare, SHAPE.lobes, SHAPE.lobeDepth),
-          new Vector4(SHAPE.lobeFade, SHAPE.bulges, SHAPE.bulgeDepth, 0),
+          new Vector4(SHAPE.lobeFade, SHAPE.bulges, SHAPE.bulgeDepth, COLLAR),
         ],
       },
     },

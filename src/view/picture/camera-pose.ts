@@ -1,6 +1,5 @@
-import { Box3, Vector3 } from 'three';
+import type { Vector3 } from 'three';
 import type { CameraPose } from '../../core/link/link.ts';
-import type { PackedTree } from '../../core/pack/packed.ts';
 
 const DEGREE = Math.PI / 180;
 
@@ -28,10 +27,4 @@ export function placeOf(pose: CameraPose, position: Vector3, target: Vector3): v
     target.y + pose.distance * Math.sin(pose.elevation * DEGREE),
     target.z + level * Math.cos(azimuth),
   );
-}
-
-/** The box around a tree in the picture: tree space is z-up, the picture y-up. */
-export function boxOf({ bounds }: PackedTree): Box3 {
-  const [x0, y0, z0, x1, y1, z1] = [...bounds] as [number, number, number, number, number, number];
-  return new Box3(new Vector3(x0, z0, -y1), new Vector3(x1, z1, -y0));
 }

@@ -7,7 +7,8 @@ import { presets } from '../../core/wind/presets.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import { frameTree } from '../framing.ts';
 import { drawStillPicture } from '../still-picture.ts';
-import { boxOf, placeOf, poseOf } from './camera-pose.ts';
+import { uprightBox } from '../tree-extent.ts';
+import { placeOf, poseOf } from './camera-pose.ts';
 import type { GrownTree } from './grow-tree.ts';
 import { tipsOf } from './on-screen.ts';
 import type { FrameFigures, Insets, OnScreen, Picture, PictureEvents, Show } from './picture.ts';
@@ -120,7 +121,12 @@ export class DrawnPicture implements Picture {
     else if (this.grown) {
       const clear = Math.max(1, height - top - bottom);
       const fov = MathUtils.radToDeg(2 * Math.atan(Math.tan(MathUtils.degToRad(FOV / 2)) * (clear / height)));
-      const framing = frameTree(boxOf(this.grown.packed), fov, Math.max(1, width - left - right) / clear, AZIMUTH);
+      const framing = frameTree(
+        uprightBox(this.grown.packed.bounds),
+        fov,
+        Math.max(1, width - left - right) / clear,
+        AZIMUTH,
+      );
       eye.position.copy(framing.position);
       target.copy(framing.target);
     }

@@ -3,8 +3,9 @@ import type { CameraPose } from '../../core/link/link.ts';
 import type { Species } from '../../core/species/species.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import { Stage } from '../stage.ts';
+import { uprightBox } from '../tree-extent.ts';
 import { WindTree } from '../wind-tree.ts';
-import { boxOf, placeOf, poseOf } from './camera-pose.ts';
+import { placeOf, poseOf } from './camera-pose.ts';
 import { GpuTimer } from './gpu-timer.ts';
 import type { GrownTree } from './grow-tree.ts';
 import { onScreen, tipsOf } from './on-screen.ts';
@@ -206,7 +207,7 @@ export class LivePicture implements Picture {
   private place(): void {
     const { stage, rest, wished } = this;
     if (this.grown) {
-      const box = boxOf(this.grown.packed);
+      const box = uprightBox(this.grown.packed.bounds);
       if (wished) stage.setSubject(box);
       else stage.frame(box);
     }

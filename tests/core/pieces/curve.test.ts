@@ -2,10 +2,9 @@ import { describe, expect, it } from 'vitest';
 import { bezierArcLength, bezierPoint, type Cubic } from '../../../src/core/math/bezier.ts';
 import { handlesOf, sectionFrame } from '../../../src/core/math/frames.ts';
 import { combine, hashUnit } from '../../../src/core/math/hash.ts';
-import { matrixFromQuaternion, type Quaternion } from '../../../src/core/math/quaternion.ts';
+import { matrixFromQuaternion, type Quaternion, writeQuaternion } from '../../../src/core/math/quaternion.ts';
 import { add, cross, dot, scale, subtract, unit, type Vec3 } from '../../../src/core/math/vec3.ts';
 import {
-  quaternionOfColumns,
   RECORD,
   recordArc,
   recordFrame,
@@ -73,7 +72,7 @@ describe('records against the reference of core/math', () => {
       const axis = unit(anyVector());
       const half = i < 100 ? Math.PI / 2 - 1e-4 * random() : Math.PI * random();
       const q: Quaternion = [...scale(axis, Math.sin(half)), Math.cos(half)];
-      quaternionOfColumns(Float64Array.from(matrixFromQuaternion(q).flat()), out, 4);
+      writeQuaternion(Float64Array.from(matrixFromQuaternion(q).flat()), out, 4);
       const sign = q[3] < 0 ? -1 : 1;
       expect(out[7]).toBeGreaterThanOrEqual(0);
       for (let k = 0; k < 4; k++) expect(out[4 + k] * Math.sign(dot4(out, q) * sign)).toBeCloseTo(q[k] * sign, 9);
