@@ -47,7 +47,9 @@ function gridFor(level: number, pixels: number): GridDetail {
   const step = SECTORS.find(([least]) => pixels >= least);
   // A trunk stays round: its lobes and its shadow show even where it is thin.
   const sectors = step ? step[1] : level === 0 ? 6 : 1;
-  return { sectors, bands: pixels >= 3.5 ? bands[0] : bands[1] };
+  // A stem a fifth of a pixel thick is some twenty pixels long: two straight parts follow its curve.
+  const banded = pixels >= 3.5 ? bands[0] : bands[1];
+  return { sectors, bands: sectors === 1 && pixels < 0.2 ? Math.min(2, banded) : banded };
 }
 
 /**
