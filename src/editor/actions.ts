@@ -11,7 +11,7 @@ import { roundWind, withNumber } from '../core/link/waves.ts';
 import { presets } from '../core/wind/presets.ts';
 import { rebaseWave } from '../core/wind/rebase.ts';
 import type { Wave, Wind } from '../core/wind/wind.ts';
-import type { DocumentStore } from './editor.ts';
+import type { DocumentStore } from './document-store.ts';
 import { type Preferences, savePreferences } from './preferences.ts';
 import type { Detent, Notice, Panel, SessionStore } from './session.ts';
 

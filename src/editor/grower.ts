@@ -2,7 +2,7 @@ import type { LinkDocument } from '../core/link/link.ts';
 import type { Species } from '../core/species/species.ts';
 import { type GrownTree, type GrowProgress, growTree } from '../view/picture/grow-tree.ts';
 import type { Actions } from './actions.ts';
-import { type DocumentStore, watch } from './editor.ts';
+import { type DocumentStore, watch } from './document-store.ts';
 import type { SessionStore } from './session.ts';
 import { loadSpecies, readSpecies, SpeciesError } from './species-source.ts';
 

@@ -1,5 +1,4 @@
-import type { DocumentStore } from './editor.ts';
-import { watch } from './editor.ts';
+import { type DocumentStore, watch } from './document-store.ts';
 
 /** Keeps `data-theme` of the page as the document and the reader's system say; tells `onDark` at once and on each change. */
 export function followTheme(document: DocumentStore, onDark: (dark: boolean) => void): void {

@@ -1,5 +1,5 @@
 import type { Insets } from '../view/picture/picture.ts';
-import { watch } from './editor.ts';
+import { watch } from './document-store.ts';
 import type { SessionStore } from './session.ts';
 
 /** Below this many pixels there is no room for panels at both sides. */

@@ -4,7 +4,7 @@ import { WAVE_NUMBERS } from '../../src/core/link/numbers.ts';
 import { wavesAt, windForce } from '../../src/core/wind/force.ts';
 import { presets } from '../../src/core/wind/presets.ts';
 import { type Actions, createActions } from '../../src/editor/actions.ts';
-import { createDocument, type DocumentStore } from '../../src/editor/editor.ts';
+import { createDocument, type DocumentStore } from '../../src/editor/document-store.ts';
 import { firstDocument } from '../../src/editor/first-document.ts';
 import { createSession, type SessionStore } from '../../src/editor/session.ts';
 import { Clock } from '../../src/view/clock.ts';
