@@ -51,8 +51,10 @@ const MUST_BE_CHECKED = [
       ...[1, 10, 600].map((step) => `wind pass, ${tree}, ${mode}, step ${step}`),
       `wind pass, ${tree}, ${mode}, sought`,
     ]),
-    `deformed ${tree}, bark, positions`,
-    `deformed ${tree}, bark, normals`,
+    ...['bark', 'bark of a trunk', 'bark of a plain stem'].flatMap((bark) => [
+      `deformed ${tree}, ${bark}, positions`,
+      `deformed ${tree}, ${bark}, normals`,
+    ]),
     `deformed ${tree}, leaves, positions`,
     `deformed ${tree}, leaves, normals`,
   ]),

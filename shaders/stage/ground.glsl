@@ -10,9 +10,11 @@ uniform vec3 groundHaze;
 uniform vec4 groundReach;
 
 vec3 groundDiffuse() {
-  vec2 p = vGround.xz;
+  // Turned against the axes, or the noise's lattice would show as lines that run from the eye to the horizon.
+  vec2 p = mat2(0.62, 0.785, -0.785, 0.62) * vGround.xz;
   vec4 broad = texture(grassMap, p * 0.061 + 0.37);
-  vec4 fine = texture(grassMap, p * 0.43);
+  // At a flat angle the mip level is that of the long side of a pixel; half of it keeps blades in the foreground.
+  vec4 fine = texture(grassMap, p * 0.43, -1.0);
   float r = length(p);
   vec4 wide = texture(grassMap, p.yx * 0.0131 + 0.11);
   float tone = 0.45 + 1.1 * (fine.r - 0.5) + 0.7 * (broad.g - 0.5) + 0.75 * (wide.b - 0.5);

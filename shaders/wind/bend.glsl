@@ -4,7 +4,7 @@
 #include /lib/bezier.glsl
 // bend: what a force does to a piece. Metres, tree space. Twin: src/core/wind/bend.ts
 
-// Exponent p of the force and m of the length that divides it: 1 and 1 by default, 1.8 and 2 in the paper.
+// Exponent p of the force and m of the length that divides it: 1 and 0.6 in the presets, 1.8 and 2 in the paper.
 uniform vec2 windExponents;
 // The printed forms, for teaching: a define, since software GL runs both sides of a branch and most trees ask for one.
 #ifdef WIND_PAPER

@@ -52,9 +52,16 @@ const OPTIONS = {
   seed: { type: 'string' },
 } as const;
 
+/** Whether argument i is `--seed` with a number below zero behind it. */
+const isSeed = (args: readonly string[], i: number): boolean => args[i] === '--seed' && /^-\d/.test(args[i + 1] ?? '');
+
 function parse(args: readonly string[]) {
   try {
-    return parseArgs({ args: [...args], options: OPTIONS, allowPositionals: true });
+    // Node takes `--seed -1` for two options and asks what was meant; said as one it gets the answer that fits.
+    const joined = args.flatMap((arg, i) =>
+      isSeed(args, i) ? [`--seed=${args[i + 1]}`] : isSeed(args, i - 1) ? [] : [arg],
+    );
+    return parseArgs({ args: joined, options: OPTIONS, allowPositionals: true });
   } catch (error) {
     throw new UsageError(error instanceof Error ? error.message : String(error));
   }

@@ -1,6 +1,8 @@
 import { GrowthBudgetError } from '../core/grow/budget.ts';
+import { NothingGrownError } from '../core/grow/nothing-grown.ts';
 import type { TreeStats } from '../core/grow/stats.ts';
 import { growPacked } from '../core/pack/grow-packed.ts';
+import { oneLine } from '../core/species/one-line.ts';
 import type { Species } from '../core/species/species.ts';
 import { Failure } from './failure.ts';
 
@@ -9,7 +11,8 @@ export function measure(species: Species, seed: number): TreeStats {
   try {
     return growPacked(species, seed, { now: () => performance.now() }).stats;
   } catch (error) {
-    throw error instanceof GrowthBudgetError ? new Failure(error.message) : error;
+    const foreseen = error instanceof GrowthBudgetError || error instanceof NothingGrownError;
+    throw foreseen ? new Failure(error.message) : error;
   }
 }
 
@@ -50,7 +53,7 @@ export function statsText(stats: TreeStats): string {
   const widths = heads.map((head, i) => Math.max(head.length, ...rows.map((row) => row[i].length)));
   const line = (cells: readonly string[]) => cells.map((cell, i) => cell.padStart(widths[i])).join('  ');
   return [
-    `${stats.species}, seed ${stats.seed}`,
+    `${oneLine(stats.species, 80)}, seed ${stats.seed}`,
     `height ${digits(stats.height, 2)} m, radius ${digits(stats.radius, 2)} m`,
     '',
     line(heads),

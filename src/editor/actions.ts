@@ -32,6 +32,9 @@ export interface Services {
   cancelGrowing(): void;
 }
 
+/** Messages that stand at one time: more would cover the picture, and the oldest have been seen. */
+const MOST_NOTICES = 4;
+
 export type Actions = ReturnType<typeof createActions>;
 
 /** Everything a reader can do to the document and to the session; the interface, the keys and the tests call these alone. */
@@ -114,7 +117,7 @@ export function createActions(
       const notice = { id: ++notices, kind, title, lines };
       // A message about the same thing takes the place of the last one.
       const others = session.getState().notices.filter((n) => n.title !== title);
-      session.setState({ notices: [...others, notice] });
+      session.setState({ notices: [...others, notice].slice(-MOST_NOTICES) });
     },
     dismiss(id: number): void {
       session.setState({ notices: session.getState().notices.filter((n) => n.id !== id) });

@@ -10,6 +10,7 @@ import type { Editor } from './editor.ts';
 import { firstDocument } from './first-document.ts';
 import { followDocument } from './follow-document.ts';
 import { Grower } from './grower.ts';
+import { linkFaultLines } from './link-faults.ts';
 import { Loop } from './loop.ts';
 import { listenToOrbitKeys } from './orbit-keys.ts';
 import { loadPreferences, savePreferences } from './preferences.ts';
@@ -166,13 +167,12 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
 
   const tellFaults = (faults: readonly LinkFault[]): void => {
     if (faults.length === 0) return;
-    const lines = faults.map((f) => `${f.key}: found “${f.found}”; allowed: ${f.allowed}.`);
-    actions.notify('error', 'Parts of this link could not be used; the rest applies', lines);
+    actions.notify('error', 'Parts of this link could not be used; the rest applies', linkFaultLines(faults));
   };
   if (broken) tell('The list of species could not be read', broken);
   tellFaults(first.faults);
   if (lessMotion && first.document.paused) session.setState({ hint: HINTS.still });
-  else if (!preferences.visited) session.setState({ hint: HINTS.first });
+  else if (!preferences.visited && lack !== 'still') session.setState({ hint: HINTS.first });
   preferences.visited = true;
   savePreferences(preferences);
   if (lack === 'slow') actions.notify('warning', 'The wind is slower here than it could be', [reason]);

@@ -10,9 +10,6 @@ import {
 import { POSE_TARGETS, TEXEL } from '../core/pack/layout.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 
-/** Textures of one pose, by POSE_TARGETS. */
-export type PoseTextures = readonly [Texture, Texture, Texture, Texture];
-
 /**
  * What a shader needs to read the pose: hand these very objects to a material, they stay the same while a tree lives.
  *

@@ -23,7 +23,8 @@ export class StepMaterials {
   };
   /** Writes the rest pose; set `uniforms.restPose.value` first. */
   readonly seed = texelMaterial(seedFragment, { restPose: { value: null } });
-  readonly #variants = new Map<string, RawShaderMaterial>();
+  /** By forms and number of waves. Found without a name: one is asked for at every draw. */
+  readonly #variants: RawShaderMaterial[] = [];
   #warm = false;
 
   /** The shader for `this.wind`, whose values are set: with the printed forms or without, for four waves or for eight. */
@@ -43,8 +44,8 @@ export class StepMaterials {
   }
 
   #variant(paper: boolean, many: boolean): RawShaderMaterial {
-    const name = `${paper ? 'paper' : 'plain'} ${many ? 'many' : 'few'}`;
-    let material = this.#variants.get(name);
+    const index = (paper ? 2 : 0) + (many ? 1 : 0);
+    let material = this.#variants[index];
     if (!material) {
       const { waves, phases } = this.wind;
       material = texelMaterial(
@@ -52,8 +53,8 @@ export class StepMaterials {
         { ...this.uniforms, windWaves: { value: waves }, windPhases: { value: phases } },
         { WIND_WAVES: many ? 2 * FEW : FEW, ...(paper ? { WIND_PAPER: 1 } : {}) },
       );
-      material.name = `wind step, ${name}`;
-      this.#variants.set(name, material);
+      material.name = `wind step, ${paper ? 'paper' : 'plain'} ${many ? 'many' : 'few'}`;
+      this.#variants[index] = material;
     }
     return material;
   }

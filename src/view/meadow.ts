@@ -1,13 +1,31 @@
-import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type Camera,
+  DoubleSide,
+  Mesh,
+  MeshLambertMaterial,
+  Vector3,
+  Vector4,
+} from 'three';
 import grassGlsl from '../../shaders/stage/grass.glsl';
 import groundGlsl from '../../shaders/stage/ground.glsl';
 import { hashPcg, hashUnit } from '../core/math/hash.ts';
 import type { Ground } from './ground.ts';
 import { inject } from './inject.ts';
 
+const ahead = new Vector3();
+
 /** Tufts, blades of each. */
 const TUFTS = 3600;
 const BLADES = 2;
+
+/** Half the side of the square of grass, metres, for a middle at a distance of a metre; it grows with this power of the distance. */
+const SPREAD = 2.2;
+const GROWS = 0.62;
+/** How far below the middle of the view the middle of the grass lies, and how far below the horizon at least; radians. */
+const BELOW = 0.13;
+const LEAST = 0.095;
 
 /** Where three's Lambert material takes the blades and the colour of the ground that they stand on. */
 export const GRASS_INJECTION = {
@@ -37,7 +55,7 @@ vBlade = vec2(position.y > 0.0 ? 1.0 : 0.0, normal.z);`,
   ],
 } as const;
 
-/** Blades as one mesh: many near the tree, fewer outwards, so that they lie evenly in the picture. */
+/** Blades as one mesh over a square of side 2, which the shader lays out before the eye. */
 function blades(): BufferGeometry {
   const position = new Float32Array(TUFTS * BLADES * 9);
   const shape = new Float32Array(TUFTS * BLADES * 9);
@@ -48,9 +66,9 @@ function blades(): BufferGeometry {
   };
   let at = 0;
   for (let tuft = 0; tuft < TUFTS; tuft++) {
-    const r = 0.025 + 2.6 * draw() ** 1.3;
-    const angle = draw() * Math.PI * 2;
-    const size = (0.09 + 0.16 * draw() ** 2) * (0.7 + 0.6 * r);
+    const tuftX = 2 * draw() - 1;
+    const tuftZ = 2 * draw() - 1;
+    const size = 0.09 + 0.16 * draw() ** 2;
     for (let blade = 0; blade < BLADES; blade++) {
       const way = draw() * Math.PI * 2;
       const root = 0.05 * draw();
@@ -66,7 +84,7 @@ function blades(): BufferGeometry {
         [height, x + Math.cos(way) * lean, z + Math.sin(way) * lean],
       ] as const;
       for (const [up, dx, dz] of corners) {
-        position.set([r * Math.cos(angle), up, r * Math.sin(angle)], at);
+        position.set([tuftX, up, tuftZ], at);
         shape.set([dx, dz, tone], at);
         at += 3;
       }
@@ -80,7 +98,8 @@ function blades(): BufferGeometry {
 
 /** Grass that stands on the ground. It takes shadows and casts none. */
 export class Meadow extends Mesh<BufferGeometry, MeshLambertMaterial> {
-  readonly #scale = { value: 1 };
+  /** Middle of the square before the eye, half its side, size of the blades as a part of their own. */
+  readonly #square = { value: new Vector4(0, 0, 8, 1) };
 
   constructor(ground: Ground) {
     const material = new MeshLambertMaterial();
@@ -88,7 +107,7 @@ export class Meadow extends Mesh<BufferGeometry, MeshLambertMaterial> {
     material.side = DoubleSide; // a blade has no back
     inject(material, 'windgrove grass', GRASS_INJECTION, {
       ...ground.uniforms,
-      grassScale: this.#scale,
+      grassSquare: this.#square,
     });
     this.name = 'meadow';
     this.receiveShadow = true;
@@ -96,9 +115,21 @@ export class Meadow extends Mesh<BufferGeometry, MeshLambertMaterial> {
     this.raycast = () => {};
   }
 
-  /** Spreads the tufts over `reach` metres. */
-  fit(reach: number): void {
-    this.#scale.value = reach;
+  /** Lays the grass where the lower part of the picture shows the ground: few blades, all of them seen. */
+  see(camera: Camera): void {
+    camera.getWorldDirection(ahead);
+    const level = Math.max(1e-3, Math.hypot(ahead.x, ahead.z));
+    const below = Math.max(LEAST, BELOW - Math.atan2(ahead.y, level));
+    const away = Math.max(0.1, camera.position.y) / Math.tan(Math.min(1.4, below));
+    // Sides are powers of two, so that no blade slides while the eye moves; between two sides the grass is down.
+    const steps = Math.log2(SPREAD * away ** GROWS);
+    const near = 2 * Math.abs(steps - Math.round(steps));
+    const x = camera.position.x + (ahead.x / level) * away;
+    const z = camera.position.z + (ahead.z / level) * away;
+    // Far blades are larger: they stand for the many that are not drawn.
+    const half = 2 ** Math.round(steps);
+    const size = Math.min(1.6, Math.sqrt(Math.max(4, half) / 6));
+    this.#square.value.set(x, z, half, size * Math.min(1, (1 - near) * 8));
   }
 
   override dispose(): void {

@@ -46,6 +46,10 @@ const FOV = 30;
 /** A quarter to the side of the sun, so that crowns have a lit and a shaded side. */
 const AZIMUTH = 0.2;
 
+/** Least height of the eye above the meadow in metres, and what it gains with the distance beyond that of a whole tree. */
+const LOWEST = 0.15;
+const RISE = 0.08;
+
 /** A meadow under the sky for one tree: renderer, camera, sun, ground, orbit. */
 export class Stage {
   readonly renderer: WebGLRenderer;
@@ -166,14 +170,16 @@ export class Stage {
   render(shadows = true): void {
     const { camera, controls, renderer } = this;
     if (this.#settling > 0) this.#settling--;
-    // Never below the meadow, however far out: the lowest polar angle depends on the distance.
+    // Never below the meadow, and from afar well above it, or its far end would be a line: the lowest polar angle depends on
+    // the distance.
     const distance = Math.max(1e-3, camera.position.distanceTo(controls.target));
-    const drop = (controls.target.y - 0.15) / distance;
+    const lowest = LOWEST + RISE * Math.max(0, distance - 3 * this.#reach);
+    const drop = (controls.target.y - lowest) / distance;
     controls.maxPolarAngle = Math.PI / 2 + Math.asin(Math.min(1, Math.max(-1, drop)));
     controls.update();
     const away = Math.hypot(camera.position.x, camera.position.z);
     this.ground.see(away);
-    this.meadow.fit(Math.max(this.#reach, 0.5 * away));
+    this.meadow.see(camera);
     renderer.shadowMap.needsUpdate ||= shadows;
     renderer.render(this.scene, camera);
   }

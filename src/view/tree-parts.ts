@@ -16,7 +16,7 @@ import { branchGeometry, bundleFor, leafGeometry } from './branch-geometry.ts';
 import { controlLines, setControlLines } from './control-lines.ts';
 import { type Detail, gridDetail, leafGrain, leafGrowth, leavesDrawn } from './detail.ts';
 import { sectorsForLobes } from './grid.ts';
-import { leafTriangles } from './leaf-mesh.ts';
+import { type LeafGrain, leafTriangles } from './leaf-mesh.ts';
 import { levelColour } from './level-colours.ts';
 import { pixelsPerMetre } from './pixel-size.ts';
 import { type LevelExtent, levelExtents, windBox } from './tree-extent.ts';
@@ -54,8 +54,8 @@ interface Level {
   extent: LevelExtent;
   start: number;
   count: number;
-  /** Names the geometry that the mesh has; '' for none. */
-  drawn: string;
+  /** Stands for the sectors and bands of the mesh's geometry; 0 for none. Compared for every camera: it allocates nothing. */
+  drawn: number;
 }
 
 /** The parts of the deformer's programs that a level needs; each that is left out saves work at every vertex. */
@@ -84,7 +84,9 @@ export class TreeParts extends Object3D {
   #levels: Level[] = [];
   #leafMesh: TreeMesh | null = null;
   #leafMaterials: Partial<Record<'near' | 'far', MaterialSet>> = {};
-  #leafDrawn = '';
+  /** Leaves of the geometry that the leaf mesh has, 0 for none, and how finely it draws each. */
+  #leafDrawn = 0;
+  #leafGrain: LeafGrain = 'far';
   #lines: LineSegments<InstancedBufferGeometry, ShaderMaterial> | null = null;
   #tree: PackedTree | null = null;
   #species: Species | null = null;
@@ -109,13 +111,13 @@ export class TreeParts extends Object3D {
     this.#species = species;
     tree.levels.forEach(({ start, count }, i) => {
       const level = this.#levels[i] ?? this.#addLevel(i);
-      Object.assign(level, { start, count, extent: extents[i], drawn: '' });
+      Object.assign(level, { start, count, extent: extents[i], drawn: 0 });
       const same = former && String(definesOf(i, former, false)) === String(definesOf(i, species, false));
       if (!same) this.#dropMaterials(level);
       this.#setShape(level, i, species);
     });
     this.#setLook(tree, species);
-    this.#leafDrawn = '';
+    this.#leafDrawn = 0;
     this.#applyMode();
   }
 
@@ -165,6 +167,7 @@ export class TreeParts extends Object3D {
     this.#applyMode();
   }
 
+  /** Frees everything; a tree that is set afterwards makes anew what it needs. */
   override dispose(): void {
     while (this.#levels.length > 0) this.#dropLevel();
     this.#leafMesh?.geometry.dispose();
@@ -172,6 +175,10 @@ export class TreeParts extends Object3D {
     this.#lines?.geometry.dispose();
     this.#lines?.material.dispose();
     this.bark.barkMap.value?.dispose();
+    this.bark.barkMap.value = null;
+    this.#leafMesh = null;
+    this.#leafMaterials = {};
+    this.#lines = null;
     this.clear();
   }
 
@@ -190,7 +197,7 @@ export class TreeParts extends Object3D {
       extent: { box: mesh.userData.box, radius: 0 },
       start: 0,
       count: 0,
-      drawn: '',
+      drawn: 0,
     };
     this.#levels.push(level);
     return level;
@@ -217,7 +224,7 @@ export class TreeParts extends Object3D {
 
   #dropMaterials(level: Level): void {
     for (const set of [level.tube, level.ribbon]) if (set) disposeMaterials(set);
-    Object.assign(level, { tube: null, ribbon: null, drawn: '' });
+    Object.assign(level, { tube: null, ribbon: null, drawn: 0 });
   }
 
   #setShape({ uniforms }: Level, index: number, species: Species): void {
@@ -259,15 +266,16 @@ export class TreeParts extends Object3D {
     const grid = gridDetail(index, pixels, count, this.shown.detail);
     const [a] = uniforms.stemShape.value as [Vector4, Vector4];
     const sectors = sectorsForLobes(grid.sectors, a.z, a.w);
+    // The rest of the spec is the tree's: `setTree` forgets what was drawn.
+    const drawn = sectors * 256 + grid.bands;
+    if (level.drawn === drawn) return;
     // Below 1 the taper leaves the tip open.
     const spec = { sectors, bands: grid.bands, cap: a.x < 1, bundle: bundleFor(count) };
-    const name = JSON.stringify(spec);
-    if (level.drawn === name) return;
     mesh.geometry.dispose();
     mesh.geometry = branchGeometry(spec, count, this.#box as Box3);
     uniforms.branchRange.value.set(level.start, count, spec.bundle);
     this.#dress(mesh, this.#branchSet(level, index, spec.sectors === 1 ? 'ribbon' : 'tube'));
-    level.drawn = name;
+    level.drawn = drawn;
   }
 
   #branchSet(level: Level, index: number, form: 'tube' | 'ribbon'): MaterialSet {
@@ -293,17 +301,16 @@ export class TreeParts extends Object3D {
     const { petiole, scaleX: width } = leaves;
     const shape = foliage.outline ?? leaves.shape;
     const grain = leafGrain(pixels, count, (g) => leafTriangles(shape, petiole, g), shown.detail);
-    const spec = { shape, width, petiole, grain };
-    const name = JSON.stringify([spec, count]);
-    if (this.#leafDrawn === name) return;
+    if (this.#leafDrawn === count && this.#leafGrain === grain) return;
     if (!this.#leafMesh) this.#leafMesh = this.#newMesh('leaves');
     const mesh = this.#leafMesh;
     mesh.geometry.dispose();
-    mesh.geometry = leafGeometry(spec, count, this.#box as Box3);
+    mesh.geometry = leafGeometry({ shape, width, petiole, grain }, count, this.#box as Box3);
     leafLook.leafRange.value.set(count, bundleFor(count));
     leafLook.leafSize.value.set(growX * length, growY * length);
-    this.#dress(mesh, this.#leafSet(spec.grain === 'near' ? 'near' : 'far', foliage.roughness));
-    this.#leafDrawn = name;
+    this.#dress(mesh, this.#leafSet(grain === 'near' ? 'near' : 'far', foliage.roughness));
+    this.#leafDrawn = count;
+    this.#leafGrain = grain;
   }
 
   #leafSet(kind: 'near' | 'far', roughness: number): MaterialSet {

@@ -51,6 +51,5 @@ export function leafUniforms() {
 }
 
 export type SharedUniforms = ReturnType<typeof sharedUniforms>;
-export type BarkUniforms = ReturnType<typeof barkUniforms>;
 export type LevelUniforms = ReturnType<typeof levelUniforms>;
 export type LeafUniforms = ReturnType<typeof leafUniforms>;

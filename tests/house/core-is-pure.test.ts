@@ -67,6 +67,16 @@ test('core reads no clock and draws no unseeded number', () => {
   expect(core.filter((file) => impure.test(code(textOf(file))))).toEqual([]);
 });
 
+/** What engines may round differently in the last bit: the rest of a tree's arithmetic is exact by the standard. */
+const perEngine = /\bMath\s*\.\s*(?:a?(?:sin|cos|tan)h?|atan2|cbrt|exp(?:m1)?|hypot|log(?:10|1p|2)?|pow)\b/;
+
+test('what makes a tree from its seed asks no engine for a sine, a power or a logarithm: the same link, the same tree', () => {
+  expect(perEngine.test('Math.atan2(1, 2)') && perEngine.test('Math.hypot(a)')).toBe(true);
+  const growing = core.filter((file) => /^src\/core\/(grow|pieces|pack)\//.test(file));
+  expect(growing.length).toBeGreaterThan(20);
+  expect(growing.filter((file) => perEngine.test(code(textOf(file))))).toEqual([]);
+});
+
 test('nothing in src draws an unseeded number from Math: a new seed comes from the crypto of the page', () => {
   const sources = filesUnder('src').filter((file) => file.endsWith('.ts'));
   expect(sources.filter((file) => /\bMath\s*\.\s*random\b/.test(code(textOf(file))))).toEqual([]);

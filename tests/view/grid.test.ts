@@ -92,7 +92,7 @@ describe('branch grid', () => {
     expect(() => branchGrid({ ...tube, bands: 0 })).toThrow(/at least 1, found 0/);
   });
 
-  it('gives each lobe at least four sectors, and all of them the same number', () => {
+  it('row 24: gives each lobe at least four sectors, and all of them the same number', () => {
     expect(sectorsForLobes(8, 5, 0.1)).toBe(20);
     expect(sectorsForLobes(24, 3, 0.1)).toBe(24);
     expect(sectorsForLobes(24, 5, 0.1)).toBe(25);

@@ -1,5 +1,6 @@
 import type { PackedTree } from '../pack/packed.ts';
 import type { Pieces } from '../pieces/pieces.ts';
+import { atan2 } from './elementary.ts';
 import { parametersOf, RADIANS, stepsOf } from './plan.ts';
 import type { Tree } from './tree.ts';
 
@@ -94,8 +95,8 @@ function levelStats({ stems, species }: Tree, level: number, pieces: Pieces | un
     }
     length.add(stems.length[i]);
     radius.add(stems.baseRadius[i]);
-    const z = Math.min(Math.max(stems.nodeFrame[9 * first + 8], -1), 1);
-    declination.add(Math.acos(z) / RADIANS);
+    const [x, y, z] = stems.nodeFrame.subarray(9 * first + 6, 9 * first + 9);
+    declination.add(atan2(Math.sqrt(x * x + y * y), z) / RADIANS);
   }
   if (pieces) for (let i = 0; i < pieces.count; i++) if (pieces.level[i] === level) covering++;
   return {

@@ -12,28 +12,6 @@ export function rotateByQuaternion(q: Quaternion, v: Vec3): Vec3 {
   return [v[0] + 2 * (y * tz - z * ty), v[1] + 2 * (z * tx - x * tz), v[2] + 2 * (x * ty - y * tx)];
 }
 
-/** The rotation whose columns are `m`, with w >= 0 so that equal rotations give equal numbers. */
-export function quaternionFromMatrix(m: Mat3): Quaternion {
-  const [[a, b, c], [d, e, f], [g, h, i]] = m; // columns
-  const trace = a + e + i;
-  let q: Quaternion;
-  if (trace > 0) {
-    const s = 2 * Math.sqrt(trace + 1);
-    q = [(f - h) / s, (g - c) / s, (b - d) / s, s / 4];
-  } else if (a >= e && a >= i) {
-    const s = 2 * Math.sqrt(1 + a - e - i);
-    q = [s / 4, (d + b) / s, (g + c) / s, (f - h) / s];
-  } else if (e >= i) {
-    const s = 2 * Math.sqrt(1 + e - a - i);
-    q = [(d + b) / s, s / 4, (h + f) / s, (g - c) / s];
-  } else {
-    const s = 2 * Math.sqrt(1 + i - a - e);
-    q = [(g + c) / s, (h + f) / s, s / 4, (b - d) / s];
-  }
-  const n = Math.hypot(...q) * (q[3] < 0 ? -1 : 1);
-  return [q[0] / n, q[1] / n, q[2] / n, q[3] / n];
-}
-
 /** The columns of the rotation q. */
 export const matrixFromQuaternion = (q: Quaternion): Mat3 => [
   rotateByQuaternion(q, [1, 0, 0]),
@@ -41,7 +19,7 @@ export const matrixFromQuaternion = (q: Quaternion): Mat3 => [
   rotateByQuaternion(q, [0, 0, 1]),
 ];
 
-/** Writes the quaternion of the rotation whose columns are `m[0..8]` to `out[at..at+3]`, w >= 0: `quaternionFromMatrix` for hot loops. */
+/** Writes the quaternion of the rotation whose columns are `m[0..8]` to `out[at..at+3]`, w >= 0 so that equal rotations give equal numbers. */
 export function writeQuaternion(m: Float64Array, out: Float64Array | Float32Array, at: number): void {
   const a = m[0];
   const e = m[4];

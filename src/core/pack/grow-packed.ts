@@ -1,5 +1,6 @@
 import { GrowthCancelled } from '../grow/budget.ts';
 import { type GrowOptions, grow } from '../grow/grow.ts';
+import { NothingGrownError } from '../grow/nothing-grown.ts';
 import { type TreeStats, treeStats } from '../grow/stats.ts';
 import type { Tree } from '../grow/tree.ts';
 import { attachLeaves } from '../pieces/attach-leaves.ts';
@@ -33,7 +34,8 @@ export interface GrownPacked {
 /**
  * Grows, fits and packs a tree: the one way from a species to the GPU, for Node, the worker and tests.
  *
- * The same species, seed and options give the same arrays bit for bit. Throws GrowthBudgetError and GrowthCancelled as `grow`.
+ * The same species, seed and options give the same arrays bit for bit. Throws GrowthBudgetError and GrowthCancelled as `grow`, and
+ * NothingGrownError where there is no stem.
  */
 export function growPacked(species: Species, seed: number, options: GrowPackedOptions = {}): GrownPacked {
   const { now = () => 0, onProgress, ...growing } = options;
@@ -44,6 +46,7 @@ export function growPacked(species: Species, seed: number, options: GrowPackedOp
   };
   const began = enter('grow');
   const tree = grow(species, seed, { ...growing, onProgress: (done) => onProgress?.('grow', done) });
+  if (tree.stems.count === 0) throw new NothingGrownError(species, seed);
   const grown = enter('fit');
   const pieces = fitPieces(tree);
   const attachments = attachLeaves(tree, pieces);

@@ -23,7 +23,7 @@ export function spreadOrder(count: number): Uint32Array {
   const order = new Uint32Array(count);
   const groups = Math.ceil(count / TIERS);
   const bundles = Math.ceil(groups / BUNDLE);
-  const bits = bundles > 1 ? Math.ceil(Math.log2(bundles)) : 0;
+  const bits = bundles > 1 ? 32 - Math.clz32(bundles - 1) : 0;
   let filled = 0;
   for (let tier = 0; tier < TIERS; tier++) {
     const step = reversed(tier, 4);

@@ -1,3 +1,4 @@
+import { atan2 } from '../grow/elementary.ts';
 import type { Tree } from '../grow/tree.ts';
 import { FITTED, fitCubicFree } from './fit.ts';
 
@@ -82,7 +83,10 @@ function enlarged<A extends Float32Array | Float64Array>(old: A, least: number):
 /** A stem of one segment, as most twigs are, or of no length: a straight cubic with even steps. */
 function straight(p: Float32Array, node: number, x: number, y: number, z: number, out: Float64Array, at: number): void {
   const a = 3 * node;
-  const length = Math.sqrt((p[a + 3] - p[a]) ** 2 + (p[a + 4] - p[a + 1]) ** 2 + (p[a + 5] - p[a + 2]) ** 2);
+  const dx = p[a + 3] - p[a];
+  const dy = p[a + 4] - p[a + 1];
+  const dz = p[a + 5] - p[a + 2];
+  const length = Math.sqrt(dx * dx + dy * dy + dz * dz);
   const third = Math.max(length, SHORTEST) / 3 / Math.sqrt(x * x + y * y + z * z);
   for (let k = 0; k < 3; k++) {
     out[at + 3 * k] = (k + 1) * third * x;
@@ -153,7 +157,8 @@ class StemFit {
       else {
         const cosine =
           direction[a] * direction[a - 3] + direction[a + 1] * direction[a - 2] + direction[a + 2] * direction[a - 1];
-        turn[j] = turn[j - 1] + Math.acos(Math.min(1, Math.max(-1, cosine)));
+        // The arc cosine, but the same on every engine: where a chain splits hangs on it.
+        turn[j] = turn[j - 1] + atan2(Math.sqrt(Math.max(0, 1 - cosine * cosine)), cosine);
       }
     }
   }

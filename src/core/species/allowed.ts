@@ -1,3 +1,4 @@
+import { oneLine } from './one-line.ts';
 import type { NumberParameter, NumbersParameter, Parameter } from './parameter.ts';
 
 const UNITS: Readonly<Record<string, string>> = { m: 'metres', deg: 'degrees', Hz: 'hertz', turns: 'turns' };
@@ -44,7 +45,7 @@ export function isAllowed(p: Parameter, value: unknown): boolean {
 export function foundText(value: unknown): string {
   if (value === undefined) return 'nothing';
   if (value === null) return 'null';
-  if (typeof value === 'string') return `the text "${value.length > 40 ? `${value.slice(0, 40)}…` : value}"`;
+  if (typeof value === 'string') return `the text "${oneLine(value)}"`;
   if (Array.isArray(value)) {
     const short = value.every((v) => typeof v === 'number') && value.length <= 8;
     return short ? `the list [${value.join(', ')}]` : `a list of ${value.length}`;

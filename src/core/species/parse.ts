@@ -1,6 +1,7 @@
 import { allowedValues, foundText, isAllowed } from './allowed.ts';
 import { jsonFault } from './json-fault.ts';
 import { nearest } from './nearest.ts';
+import { oneLine } from './one-line.ts';
 import type { Parameter } from './parameter.ts';
 import type { Group } from './parameters.ts';
 import { defaultOf, GROUPS, isRequired, MOST_LEVELS } from './parameters.ts';
@@ -37,8 +38,10 @@ type Fields = Readonly<Record<string, unknown>>;
  *
  * The paper's parameters must all be there. Windgrove's own may be left out and are filled in from the parameter table. Never throws.
  */
-export function parseSpecies(input: unknown): ParsedSpecies {
-  if (typeof input !== 'string') return readSpecies(input);
+export function parseSpecies(file: unknown): ParsedSpecies {
+  if (typeof file !== 'string') return readSpecies(file);
+  // Some editors begin a file with a byte order mark; a browser takes it off as it reads, Node does not.
+  const input = file.replace(/^\ufeff/, '');
   const broken = (found: string): ParsedSpecies => ({
     faults: [{ path: '', found, allowed: 'a species as a JSON document' }],
   });
@@ -79,8 +82,15 @@ function readSpecies(value: unknown): ParsedSpecies {
     if (typeof text === 'string' && text.length <= longest && (key !== 'name' || text.trim() !== ''))
       species[key] = text;
     else if (text === undefined && key !== 'name') species[key] = '';
-    else faults.push({ path: key, found: foundText(text), allowed: `a text of up to ${longest} characters` });
+    else
+      faults.push({
+        path: key,
+        found: foundText(text),
+        allowed: `a text of ${key === 'name' ? '1' : 'up'} to ${longest} characters`,
+      });
   }
+  if (file.$schema !== undefined && typeof file.$schema !== 'string')
+    faults.push({ path: '$schema', found: foundText(file.$schema), allowed: 'a text, the address of the schema' });
   for (const group of GROUPS) {
     const content = file[group.group];
     species[group.group] =
@@ -137,7 +147,7 @@ function unknownKeys(fields: Fields, prefix: string, known: readonly string[], f
     if (known.includes(key)) continue;
     const near = nearest(key, known);
     faults.push({
-      path: `${prefix}${key.length > 40 ? `${key.slice(0, 40)}…` : key}`,
+      path: `${prefix}${oneLine(key)}`,
       found: 'an unknown key',
       allowed: near ? `"${near}"` : known.join(', '),
     });

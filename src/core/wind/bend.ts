@@ -1,3 +1,4 @@
+import { power as exactPower } from '../grow/elementary.ts';
 import { type Cubic, rescaleArc } from '../math/bezier.ts';
 import { angleOfChord, power } from '../math/trig.ts';
 import { add, addScaled, distance, length, scale, subtract, type Vec3 } from '../math/vec3.ts';
@@ -5,8 +6,11 @@ import { add, addScaled, distance, length, scale, subtract, type Vec3 } from '..
 /** The two weights of a piece: the share of its stem's bend that its second and third edge take. */
 export type BendWeights = [w2: number, w3: number];
 
-/** g(s) = s^1.8: how the bend of a stem grows from its base (0) to its tip (1). Source: Skjermo 2007, equation 16. */
-export const bendShare = (s: number): number => power(s, 1.8);
+/**
+ * g(s) = s^1.8: how the bend of a stem grows from its base (0) to its tip (1). Source: Skjermo 2007, equation 16.
+ * The weights are packed: by a power that is the same on every engine.
+ */
+export const bendShare = (s: number): number => exactPower(s, 1.8);
 
 /**
  * Bend weights of a piece that covers [z0, z1] of its stem, so that the stem bends the same however many pieces it has; a whole
@@ -19,7 +23,7 @@ export function bendWeights(z0: number, z1: number): BendWeights {
 
 /**
  * The change of direction that a force (metres, horizontal) gives a stem: G(F)/l^m with G(F) = F |F|^(p-1). `third` is l, a third
- * of the stem's length in metres; p = 1 and m = 1 by default, p = 1.8 and m = 2 are the paper's.
+ * of the stem's length in metres; the presets have p = 1 and m = 0.6, the paper p = 1.8 and m = 2.
  * Source: Skjermo 2007, equations 14 and 16 (errata E27, E28). Twin: shaders/wind/bend.glsl.
  */
 export function bendVector(fx: number, fy: number, third: number, p: number, m: number): Vec3 {

@@ -3,7 +3,8 @@ import { fold } from './fold.ts';
 import { Part } from './panel.ts';
 
 const count = new Intl.NumberFormat('en').format;
-const milliseconds = (value: number | undefined): string => (value ? value.toFixed(value < 10 ? 2 : 0) : '–');
+const milliseconds = (value: number | undefined): string =>
+  value && value >= 0.005 ? value.toFixed(value < 10 ? 2 : 0) : '–';
 
 /** What is on the screen, in numbers. */
 class Statistics extends Part {

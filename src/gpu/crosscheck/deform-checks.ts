@@ -26,6 +26,16 @@ import { runVertices, type VertexRun } from './run-vertices.ts';
 /** Everything that a stem's radius may have, so that each term is compared. */
 const SHAPE: Shape = { taper: 1.2, flare: 0.7, lobes: 5, lobeDepth: 0.1, lobeFade: 0.6, bulges: 3, bulgeDepth: 0.06 };
 
+/** A cone, the one shape that PLAIN_STEM knows. */
+const CONE: Shape = { taper: 0.95, flare: 0, lobes: 0, lobeDepth: 0, lobeFade: 0, bulges: 0, bulgeDepth: 0 };
+
+/** The deformer with every term, and the two variants that trees are drawn with (definesOf in src/view/tree-parts.ts). */
+const BARKS: readonly { readonly what: string; readonly shape: Shape; readonly defines: Record<string, number> }[] = [
+  { what: 'bark', shape: SHAPE, defines: {} },
+  { what: 'bark of a trunk', shape: SHAPE, defines: { FLARED: 1 } },
+  { what: 'bark of a plain stem', shape: CONE, defines: { PLAIN_STEM: 1 } },
+];
+
 /** How much wider a stem is where it leaves its parent. */
 const COLLAR = 0.4;
 
@@ -39,21 +49,28 @@ const texel = (array: TexelArray, layer: number, i: number): number[] => [
 ];
 
 /** Points on random branches, the ends of each among them, and where the reference puts them. */
-function branchVertices(tree: PackedTree, pose: Float32Array, random: Random): Vertices {
+function branchVertices(
+  tree: PackedTree,
+  pose: Float32Array,
+  random: Random,
+  { shape, defines }: (typeof BARKS)[number],
+): Vertices {
   const position = new Float32Array(3 * VERTICES);
   const normal = new Float32Array(3 * VERTICES);
   const twin = new Float64Array(PARTS * VERTICES);
   for (let i = 0; i < VERTICES; i++) {
     const place = Math.floor(random() * tree.pieceCount);
-    const v = Math.fround(i % 8 === 0 ? 0 : i % 8 === 1 ? 1 : random());
+    const ring = Math.fround(i % 8 === 0 ? 0 : i % 8 === 1 ? 1 : random());
     const turns = Math.fround(random());
-    position.set([Math.cos(2 * Math.PI * turns), Math.sin(2 * Math.PI * turns), v], 3 * i);
+    position.set([Math.cos(2 * Math.PI * turns), Math.sin(2 * Math.PI * turns), ring], 3 * i);
     normal.set([turns, place, 0], 3 * i);
     const [piece, z0, z1, baseRadius] = texel(tree.branches, BRANCH_LAYERS.SPAN, place);
     const [length, , , parentRadius] = texel(tree.branches, BRANCH_LAYERS.STEM, place);
     const { curve, o } = poseOf(pose, planeOf(tree.restPose), piece);
+    // Row 22: the rings of a trunk's first piece crowd towards the ground.
+    const v = defines.FLARED && z0 === 0 ? ring * (0.15 + 0.85 * ring) : ring;
     const z = z0 + (z1 - z0) * v;
-    const [radius, taper, q] = stemRadius(SHAPE, baseRadius, length, z, turns);
+    const [radius, taper, q] = stemRadius(shape, baseRadius, length, z, turns);
     const [swell, swelling] = collar(z * length, radius, parentRadius, COLLAR);
     const slope = taper * swell + radius * swelling * length;
     const [cos, sin] = [position[3 * i], position[3 * i + 1]];
@@ -103,21 +120,26 @@ export function checkDeformers(renderer: WebGLRenderer, name: string, tree: Pack
   const random = randomStream(7);
   const shared = { ...textures.uniforms, poseLog2Width: { value: Math.log2(tree.restPose.width) } };
 
-  const branches = branchVertices(tree, pose, random);
-  const branchResults = runVertices(renderer, {
-    vertexShader: branchVertex,
-    attributes: branches.attributes,
-    uniforms: {
-      ...shared,
-      branchLog2Width: { value: Math.log2(tree.branches.width) },
-      branchRange: { value: new Vector3(0, tree.pieceCount, tree.pieceCount) },
-      stemShape: {
-        value: [
-          new Vector4(SHAPE.taper, SHAPE.flare, SHAPE.lobes, SHAPE.lobeDepth),
-          new Vector4(SHAPE.lobeFade, SHAPE.bulges, SHAPE.bulgeDepth, COLLAR),
-        ],
+  const barks = BARKS.map((bark) => {
+    const { shape, defines } = bark;
+    const { attributes, twin } = branchVertices(tree, pose, random, bark);
+    const gpu = runVertices(renderer, {
+      vertexShader: branchVertex,
+      defines,
+      attributes,
+      uniforms: {
+        ...shared,
+        branchLog2Width: { value: Math.log2(tree.branches.width) },
+        branchRange: { value: new Vector3(0, tree.pieceCount, tree.pieceCount) },
+        stemShape: {
+          value: [
+            new Vector4(shape.taper, shape.flare, shape.lobes, shape.lobeDepth),
+            new Vector4(shape.lobeFade, shape.bulges, shape.bulgeDepth, COLLAR),
+          ],
+        },
       },
-    },
+    });
+    return { what: bark.what, gpu, twin };
   });
   const leaves = leafVertices(tree, pose, random);
   const leafResults = runVertices(renderer, {
@@ -143,13 +165,17 @@ export function checkDeformers(renderer: WebGLRenderer, name: string, tree: Pack
     tolerance: metres ? 2e-5 : 1e-4,
     note: metres ? 'of the tree’s height' : 'radians',
   });
-  const bark = { samples: VERTICES, gpu: branchResults, twin: branches.twin, size };
   const foliage = { samples: VERTICES, gpu: leafResults, twin: leaves.twin, size };
   return [
-    compareLine(line('bark, positions', [0, 1, 2], true), bark),
-    compareLine(line('bark, normals', [4, 5, 6], false), bark),
-    compareLine(line('bark, around', [8, 9, 10], false), bark),
-    compareLine(line('bark, along', [12, 13, 14], false), bark),
+    ...barks.flatMap(({ what, gpu, twin }) => {
+      const results = { samples: VERTICES, gpu, twin, size };
+      return [
+        compareLine(line(`${what}, positions`, [0, 1, 2], true), results),
+        compareLine(line(`${what}, normals`, [4, 5, 6], false), results),
+        compareLine(line(`${what}, around`, [8, 9, 10], false), results),
+        compareLine(line(`${what}, along`, [12, 13, 14], false), results),
+      ];
+    }),
     compareLine(line('leaves, positions', [0, 1, 2], true), foliage),
     compareLine(line('leaves, normals', [4, 5, 6], false), foliage),
   ];

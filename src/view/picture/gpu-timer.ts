@@ -7,14 +7,22 @@ interface TimerExtension {
 /** Measures what a stretch of commands takes on the GPU, where the browser allows it; one measurement at a time. */
 export class GpuTimer {
   private readonly gl: WebGL2RenderingContext;
-  private readonly extension: TimerExtension | null;
+  private extension: TimerExtension | null = null;
   private pending: WebGLQuery | null = null;
   private open = false;
   private smoothed: number | undefined;
 
   constructor(gl: WebGL2RenderingContext) {
     this.gl = gl;
-    this.extension = gl.getExtension('EXT_disjoint_timer_query_webgl2') as TimerExtension | null;
+    this.start();
+    // A query of a lost context never answers, and the extension has to be asked for anew.
+    gl.canvas.addEventListener('webglcontextrestored', () => this.start());
+  }
+
+  private start(): void {
+    this.extension = this.gl.getExtension('EXT_disjoint_timer_query_webgl2') as TimerExtension | null;
+    this.pending = null;
+    this.open = false;
   }
 
   /** Milliseconds of the stretches measured so far, smoothed; undefined where nothing can be measured. */

@@ -1,6 +1,13 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { flare, powerTaper, type Shape, stemRadius, taperRadius } from '../../../src/core/deform/radius.ts';
+import {
+  clampedFlare,
+  flare,
+  powerTaper,
+  type Shape,
+  stemRadius,
+  taperRadius,
+} from '../../../src/core/deform/radius.ts';
 
 const plain: Shape = { taper: 1, flare: 0, lobes: 0, lobeDepth: 0, lobeFade: 0, bulges: 0, bulgeDepth: 0 };
 
@@ -37,6 +44,17 @@ describe('taper', () => {
     );
   });
 
+  test('row 21: the tapers that the paper names have its radii', () => {
+    const at = (taper: number, z: number) => taperRadius(z, taper, 0.5, 4)[0];
+    for (const z of [0, 0.3, 0.9]) expect(at(0, z)).toBeCloseTo(0.5, 12);
+    expect(at(1, 0.25)).toBeCloseTo(0.375, 12);
+    // 2: a cylinder to the last radius, then half a sphere; 3: spheres of the stem's radius, from the tip downwards.
+    expect([at(2, 0.5), at(2, 0.875), at(2, 0.9375)]).toEqual([0.5, 0.5, expect.closeTo(Math.sqrt(0.1875), 12)]);
+    expect([at(3, 0.875), at(3, 0.75), at(3, 0.625)]).toEqual([0.5, expect.closeTo(0, 12), 0.5]);
+    // Between 2 and 3 the spheres below the last one deepen.
+    expect(at(2.4, 0.75)).toBeCloseTo(0.5 * 0.6, 12);
+  });
+
   test('closes at the tip from taper 1 on', () => {
     for (const taper of [1, 1.2, 1.999, 2, 2.7, 3]) expect(taperRadius(1, taper, 0.2, 3)[0]).toBeCloseTo(0, 12);
   });
@@ -63,6 +81,16 @@ test('the slope of the whole radius is that of its product', () => {
 test('the two sides of the seam have the same radius', () => {
   const shape: Shape = { ...plain, lobes: 7, lobeDepth: 0.2 };
   expect(stemRadius(shape, 1, 5, 0.3, 0)).toEqual(stemRadius(shape, 1, 5, 0.3, 1));
+});
+
+test("row 23: Weber & Penn's flare is as printed; the one that is drawn is a hundredth of Flare wider and has no crease", () => {
+  for (let z = 0; z <= 1; z += 0.01) {
+    const printed = (0.6 * (100 ** Math.max(0, 1 - 8 * z) - 1)) / 100 + 1;
+    expect(clampedFlare(z, 0.6)[0]).toBeCloseTo(printed, 12);
+    const wider = flare(z, 0.6)[0] - printed;
+    if (z <= 0.125) expect(wider).toBeCloseTo(0.006, 12);
+    else expect(Math.abs(wider - 0.003)).toBeLessThanOrEqual(0.003);
+  }
 });
 
 test('a flare widens the foot by its factor and is nearly gone an eighth up', () => {

@@ -51,7 +51,7 @@ describe('one fault, at its path, with what was found and what is allowed', () =
     ['bark.kind', 'scaly', 'the text "scaly"', '"smooth", "furrowed", "plated"'],
     ['bark.colour', '<b>red</b>', 'the text "<b>red</b>"', 'a colour as "#rrggbb"'],
     ['wind.stiffness', [1, 0], 'the list [1, 0]', 'a list of 1 to 8 numbers from 0.01 to 1000'],
-    ['name', '', 'the text ""', 'a text of up to 80 characters'],
+    ['name', '', 'the text ""', 'a text of 1 to 80 characters'],
     ['format', 'windgrove-wind', 'the text "windgrove-wind"', '"windgrove-species"'],
     ['version', 2, '2', '1, the only version so far'],
   ])('%s: %j', (path, value, found, allowed) => {

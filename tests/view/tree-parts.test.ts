@@ -1,0 +1,57 @@
+import { PerspectiveCamera } from 'three';
+import { expect, test } from 'vitest';
+import { growPacked } from '../../src/core/pack/grow-packed.ts';
+import { TreeParts } from '../../src/view/tree-parts.ts';
+import { shippedSpecies } from '../core/pack/shipped-species.ts';
+
+const species = shippedSpecies('quaking-aspen');
+const { packed } = growPacked(species, 1);
+
+/** A camera from which the whole tree is seen. */
+function camera(distance: number): PerspectiveCamera {
+  const eye = new PerspectiveCamera(30, 1, 0.1, 1000);
+  eye.position.set(0, 6, distance);
+  eye.updateMatrixWorld();
+  return eye;
+}
+
+const parts = (): TreeParts =>
+  new TreeParts({ mode: 'shaded', levels: Number.POSITIVE_INFINITY, leaves: true, detail: 'auto', leafBudget: 20_000 });
+
+test('a tree that is given after all was freed is drawn whole, leaves and control polygons too', () => {
+  const tree = parts();
+  tree.setTree(packed, species);
+  tree.update(camera(30));
+  const meshes = tree.children.length;
+  expect(meshes).toBe(packed.levels.length + 1);
+  tree.dispose();
+  expect(tree.children).toEqual([]);
+  tree.setTree(packed, species);
+  tree.update(camera(30));
+  expect(tree.children.length).toBe(meshes);
+  tree.shown.mode = 'control';
+  tree.update(camera(30));
+  expect(tree.children.length).toBe(meshes + 1);
+});
+
+test('geometry is made anew where it must look another way, and not from frame to frame', () => {
+  const tree = parts();
+  tree.setTree(packed, species);
+  const geometries = (distance: number): unknown[] => {
+    tree.update(camera(distance));
+    return tree.children.map((mesh) => (mesh as unknown as { geometry: unknown }).geometry);
+  };
+  const near = geometries(8);
+  geometries(8).forEach((geometry, i) => {
+    expect(geometry).toBe(near[i]);
+  });
+  geometries(400).forEach((geometry, i) => {
+    expect(geometry).not.toBe(near[i]);
+  });
+  tree.setTree(packed, { ...species, leaves: { ...species.leaves, scaleX: 0.5 } });
+  const narrow = geometries(400);
+  tree.setTree(packed, species);
+  geometries(400).forEach((geometry, i) => {
+    expect(geometry).not.toBe(narrow[i]);
+  });
+});
