@@ -21,8 +21,8 @@ const TUFTS = 3600;
 const BLADES = 2;
 
 /** Half the side of the square of grass, metres, for a middle at a distance of a metre; it grows with this power of the distance. */
-const SPREAD = 2.2;
-const GROWS = 0.62;
+const SPREAD = 1.1;
+const GROWS = 0.8;
 /** How far below the middle of the view the middle of the grass lies, and how far below the horizon at least; radians. */
 const BELOW = 0.13;
 const LEAST = 0.095;

@@ -1,4 +1,4 @@
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -84,6 +84,17 @@ describe('stats', () => {
     expect(err).toMatch(/asks for at least .* stems; the limit is 400\u2009000.*levels\[2\]\.branches/);
   });
 
+  test('a tree without a trunk ends with what to change', () => {
+    const flat = file('flat.json', ({ levels }: Record<string, { length: number }[]>) => {
+      levels[0].length = 0;
+    });
+    expect(call('stats', flat)).toEqual({
+      status: 1,
+      out: '',
+      err: 'The trunk has no length with seed 1. Raise levels[0].length, which is 0.',
+    });
+  });
+
   test.each([
     [['stats', 'aspen'], 1, 'Did you mean quaking-aspen?'],
     [['stats', 'black-tulepo'], 1, 'Did you mean black-tupelo?'],
@@ -93,6 +104,11 @@ describe('stats', () => {
     [['stats', 'a', 'b'], 2, 'stats takes one SPECIES'],
     [['stats', 'quaking-aspen', '--seed', 'x'], 2, '--seed: found "x"; allowed: a whole number from 0 to 4294967295.'],
     [['stats', 'quaking-aspen', '--seed', '4294967296'], 2, '--seed: found'],
+    [
+      ['stats', 'quaking-aspen', '--seed', '-1'],
+      2,
+      '--seed: found "-1"; allowed: a whole number from 0 to 4294967295.',
+    ],
     [['stats', 'quaking-aspen', '--sead', '1'], 2, '--sead'],
     [['validate'], 2, 'validate takes at least one FILE'],
     [['validate', aspen, '--json'], 2, 'validate takes no options'],
@@ -149,4 +165,18 @@ test('the file itself runs in Node and hands on the exit status', () => {
     execFileSync(process.execPath, ['--import', 'tsx', main, ...args], { cwd: root, stdio: 'pipe' });
   expect(node('validate', aspen).toString()).toContain('a valid species');
   expect(() => node('stats', 'nothing')).toThrow(expect.objectContaining({ status: 1 }));
+}, 30_000);
+
+test('a reader that goes away early, as head does, gets no stack trace', async () => {
+  const child = spawn(process.execPath, ['--import', 'tsx', join(root, 'src/cli/main.ts'), 'validate', aspen], {
+    cwd: root,
+    stdio: ['ignore', 'pipe', 'pipe'],
+  });
+  child.stdout.destroy();
+  let complaint = '';
+  child.stderr.on('data', (data) => {
+    complaint += data;
+  });
+  const status = await new Promise((done) => child.on('close', done));
+  expect([status, complaint]).toEqual([0, '']);
 }, 30_000);

@@ -79,4 +79,11 @@ describe('actions', () => {
     actions.dismiss(notices[0]!.id);
     expect(session.getState().notices.map((n) => n.title)).toEqual(['Other']);
   });
+
+  it('keep the latest four messages: twenty bad files do not cover the picture', () => {
+    for (let i = 0; i < 20; i++) actions.notify('error', `${i}.json was not opened`);
+    expect(session.getState().notices.map((n) => n.title)).toEqual(
+      [16, 17, 18, 19].map((i) => `${i}.json was not opened`),
+    );
+  });
 });

@@ -1,3 +1,4 @@
+import { withReadings } from '../species/readings.ts';
 import type { Species } from '../species/species.ts';
 import type { GrowthBudget } from './budget.ts';
 import { BYTES, DEFAULT_BUDGET, GrowthBudgetError, GrowthCancelled } from './budget.ts';
@@ -45,7 +46,8 @@ const GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
  * The same species, seed and options give the same arrays bit for bit on every machine. Stems stand level by level, parents before children, each
  * stem directly before its clones. Throws GrowthBudgetError where the tree would go over the budget, GrowthCancelled where the caller stops it.
  */
-export function grow(species: Species, seed: number, options: GrowOptions = {}): Tree {
+export function grow(given: Species, seed: number, options: GrowOptions = {}): Tree {
+  const species = withReadings(given);
   const budget = { ...DEFAULT_BUDGET, ...options.budget };
   const { tree } = species;
   const stream = streamOf(seed >>> 0);

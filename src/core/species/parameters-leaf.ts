@@ -183,6 +183,7 @@ const flag = (key: string, label: string, help: string, section: string): FlagPa
 
 /** Readings of the paper between which a species chooses. */
 export const SWITCH_PARAMETERS: readonly (FlagParameter | NumberParameter)[] = [
+  flag('paper', 'As printed', 'Take the printed form of every switch below, whatever it says.', '4'),
   flag(
     'branchesAboveBase',
     'All branches above the base',

@@ -94,6 +94,8 @@ export interface PruningParameters {
 
 /** Readings of the paper that a species chooses between; all false (and 0.75) is Windgrove's own (weber-penn.md, section 2). */
 export interface SpeciesSwitches {
+  /** The printed form of rows 5, 31 and 38, whatever their own switches say. */
+  readonly paper: boolean;
   /** Row 5: grow all 1Branches above the bare part. */
   readonly branchesAboveBase: boolean;
   /** Row 31: each clone halves the propensity to form further clones. */

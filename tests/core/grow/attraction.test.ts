@@ -15,6 +15,16 @@ const declinations = (species: ReturnType<typeof attracted>) => {
   return stemsOf(tree, 2).map((i) => [angleDeg(axisAt(tree, i, 0, 2), UP), angleDeg(axisAt(tree, i, 7, 2), UP)]);
 };
 
+test('switches: "paper" takes the printed form of every switch', () => {
+  const stems = (switches: object) =>
+    grow(edit(attracted(0.8, { segSplits: 0.6, splitAngle: 20 }), { switches }), 1).stems;
+  const printed = stems({ paper: true });
+  expect(printed).toEqual(stems({ halveCloning: true, paperAttraction: true }));
+  expect(printed.nodePosition).not.toEqual(stems({ halveCloning: true }).nodePosition);
+  expect(printed.nodePosition).not.toEqual(stems({ paperAttraction: true }).nodePosition);
+  expect(stems({ paper: true, branchesAboveBase: true })).toEqual(printed);
+});
+
 describe('row 38: vertical attraction', () => {
   test.each([{}, { curve: 60, curveV: 100 }])('1 ends every stem upright, with %o', (level2) => {
     for (const [first, last] of declinations(attracted(1, level2))) {

@@ -52,10 +52,20 @@ describe('one fault, at its path, with what was found and what is allowed', () =
     ['bark.colour', '<b>red</b>', 'the text "<b>red</b>"', 'a colour as "#rrggbb"'],
     ['wind.stiffness', [1, 0], 'the list [1, 0]', 'a list of 1 to 8 numbers from 0.01 to 1000'],
     ['name', '', 'the text ""', 'a text of 1 to 80 characters'],
+    ['name', ' \n', 'the text " \\u000a"', 'a text of 1 to 80 characters'],
+    ['$schema', 7, '7', 'a text, the address of the schema'],
     ['format', 'windgrove-wind', 'the text "windgrove-wind"', '"windgrove-species"'],
     ['version', 2, '2', '1, the only version so far'],
   ])('%s: %j', (path, value, found, allowed) => {
     expect(faultsOf(changed(path, value))).toEqual([{ path, found, allowed }]);
+  });
+
+  test('a fault is one line whatever stands in the file: no line breaks, no colours of a terminal', () => {
+    const file = { ...changed('bark.kind', 'a\nb\u001b[31m'), 'x\ny\u202e': 1 };
+    expect(faultsOf(file).map(faultText)).toEqual([
+      expect.stringMatching(/^x\\u000ay\\u202e: found an unknown key/),
+      expect.stringMatching(/^bark\.kind: found the text "a\\u000ab\\u001b\[31m"; allowed: .*$/),
+    ]);
   });
 
   test('unknown parts and keys are named even if they are the names of an object', () => {
@@ -80,6 +90,10 @@ describe('one fault, at its path, with what was found and what is allowed', () =
   test('JSON that stops too early', () => {
     expect(faultsOf('{"format":')[0].found).toBe('broken JSON that ends too early, at line 1, column 11');
   });
+});
+
+test('a byte order mark before the file is no fault', () => {
+  expect(parseSpecies(`\ufeff${text}`)).toEqual(parseSpecies(text));
 });
 
 describe('the place of a fault in JSON', () => {
