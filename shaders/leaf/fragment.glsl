@@ -17,9 +17,9 @@ vec3 leafDiffuse(bool front) {
   vec3 face = front ? leafColour : mix(leafColour, leafUnder, 0.35);
   vec3 c = mix(face, leafGlow, young * 0.8) * value;
 #ifdef LEAF_VEINS
-  float rib = smoothstep(0.07, 0.0, vLeaf.z);
+  float rib = 1.0 - smoothstep(0.0, 0.07, vLeaf.z);
   float side = abs(fract((vLeaf.w - 0.55 * vLeaf.z) * 7.0) - 0.5);
-  float vein = smoothstep(0.09, 0.0, side) * 0.5 * smoothstep(1.0, 0.3, vLeaf.z);
+  float vein = (1.0 - smoothstep(0.0, 0.09, side)) * 0.5 * (1.0 - smoothstep(0.3, 1.0, vLeaf.z));
   c *= 1.0 - 0.10 * vein;
   c = mix(c, c * 1.35 + 0.02, max(rib, 0.35 * vein));
 #endif

@@ -20,7 +20,7 @@ vec3 groundDiffuse() {
   float tone = 0.45 + 1.1 * (fine.r - 0.5) + 0.7 * (broad.g - 0.5) + 0.75 * (wide.b - 0.5);
   vec3 c = mix(grassDark, grassLight, clamp(tone, 0.0, 1.0));
   // Little grows in the shade of the trunk.
-  float bare = smoothstep(groundReach.z * 5.0, groundReach.z * 1.6, r + (broad.r - 0.5) * groundReach.z * 3.0);
+  float bare = 1.0 - smoothstep(groundReach.z * 1.6, groundReach.z * 5.0, r + (broad.r - 0.5) * groundReach.z * 3.0);
   float patchy = smoothstep(0.62, 0.8, broad.b) * 0.35;
   return mix(c, earth * (0.7 + 0.6 * fine.g), max(bare * 0.85, patchy));
 }
@@ -28,7 +28,7 @@ vec3 groundDiffuse() {
 // Light of the sky that reaches the ground: less under the crown, least where the trunk meets it.
 float groundSky() {
   float r = length(vGround.xz);
-  float crown = smoothstep(1.25, 0.0, r / groundReach.w);
+  float crown = 1.0 - smoothstep(0.0, 1.25, r / groundReach.w);
   float foot = groundReach.z / max(r, groundReach.z * 0.6);
   return (1.0 - 0.42 * crown) * (1.0 - 0.6 * foot * foot);
 }

@@ -1,13 +1,4 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  type Camera,
-  DoubleSide,
-  Mesh,
-  MeshLambertMaterial,
-  Vector3,
-  Vector4,
-} from 'three';
+import { BufferAttribute, BufferGeometry, type Camera, DoubleSide, Mesh, MeshLambertMaterial, Vector3 } from 'three';
 import grassGlsl from '../../shaders/stage/grass.glsl';
 import groundGlsl from '../../shaders/stage/ground.glsl';
 import { hashPcg, hashUnit } from '../core/math/hash.ts';
@@ -21,11 +12,11 @@ const TUFTS = 3600;
 const BLADES = 2;
 
 /** Half the side of the square of grass, metres, for a middle at a distance of a metre; it grows with this power of the distance. */
-const SPREAD = 1.1;
+const SPREAD = 1.25;
 const GROWS = 0.8;
 /** How far below the middle of the view the middle of the grass lies, and how far below the horizon at least; radians. */
-const BELOW = 0.13;
-const LEAST = 0.095;
+const BELOW = 0.16;
+const LEAST = 0.115;
 
 /** Where three's Lambert material takes the blades and the colour of the ground that they stand on. */
 export const GRASS_INJECTION = {
@@ -98,8 +89,8 @@ function blades(): BufferGeometry {
 
 /** Grass that stands on the ground. It takes shadows and casts none. */
 export class Meadow extends Mesh<BufferGeometry, MeshLambertMaterial> {
-  /** Middle of the square before the eye, half its side, size of the blades as a part of their own. */
-  readonly #square = { value: new Vector4(0, 0, 8, 1) };
+  /** Middle of the square before the eye, and half its side as a power of two. */
+  readonly #square = { value: new Vector3(0, 0, 3) };
 
   constructor(ground: Ground) {
     const material = new MeshLambertMaterial();
@@ -121,15 +112,9 @@ export class Meadow extends Mesh<BufferGeometry, MeshLambertMaterial> {
     const level = Math.max(1e-3, Math.hypot(ahead.x, ahead.z));
     const below = Math.max(LEAST, BELOW - Math.atan2(ahead.y, level));
     const away = Math.max(0.1, camera.position.y) / Math.tan(Math.min(1.4, below));
-    // Sides are powers of two, so that no blade slides while the eye moves; between two sides the grass is down.
-    const steps = Math.log2(SPREAD * away ** GROWS);
-    const near = 2 * Math.abs(steps - Math.round(steps));
     const x = camera.position.x + (ahead.x / level) * away;
     const z = camera.position.z + (ahead.z / level) * away;
-    // Far blades are larger: they stand for the many that are not drawn.
-    const half = 2 ** Math.round(steps);
-    const size = Math.min(1.6, Math.sqrt(Math.max(4, half) / 6));
-    this.#square.value.set(x, z, half, size * Math.min(1, (1 - near) * 8));
+    this.#square.value.set(x, z, Math.log2(SPREAD * away ** GROWS));
   }
 
   override dispose(): void {
