@@ -30,8 +30,8 @@ export const toggle = (
   label: string | TemplateResult,
   checked: boolean,
   onChange: (on: boolean) => void,
-  options: { readonly title?: string; readonly name?: string } = {},
+  options: { readonly title?: string; readonly name?: string; readonly disabled?: boolean } = {},
 ): TemplateResult =>
   html`<label class="toggle" for=${id} title=${options.title ?? ''}><input type="checkbox" id=${id}
     aria-label=${options.name ?? (typeof label === 'string' ? label : '')} .checked=${live(checked)}
-    @change=${(e: Event) => onChange((e.target as HTMLInputElement).checked)}><span>${label}</span></label>`;
+    ?disabled=${options.disabled ?? false} @change=${(e: Event) => onChange((e.target as HTMLInputElement).checked)}><span>${label}</span></label>`;

@@ -77,9 +77,13 @@ class GrowPanel extends Part {
       options,
       onChoose: (value) => editor.actions.setLevels(Number(value) >= count ? ALL_LEVELS : Number(value)),
     })}
-    ${toggle('leaves', 'Leaves', doc.showLeaves, (on) => editor.actions.setShowLeaves(on), {
-      title: 'Draw the leaves, once all levels are drawn (L)',
-    })}</div>`;
+    ${toggle(
+      'leaves',
+      shown < count ? 'Leaves: with all levels' : 'Leaves',
+      doc.showLeaves,
+      (on) => editor.actions.setShowLeaves(on),
+      { title: 'Draw the leaves (L)', disabled: shown < count },
+    )}</div>`;
   }
 }
 
