@@ -81,8 +81,8 @@ function command(args: readonly string[], { out, err }: Streams): number {
   switch (name) {
     case 'stats': {
       if (rest.length !== 1) throw new UsageError('stats takes one SPECIES: a file or the name of a shipped species.');
-      const stats = measure(findSpecies(rest[0]), seedOf(values.seed));
-      out(values.json ? JSON.stringify(stats, null, 2) : statsText(stats));
+      const measured = measure(findSpecies(rest[0]), seedOf(values.seed));
+      out(values.json ? JSON.stringify(measured.stats, null, 2) : statsText(measured));
       return 0;
     }
     case 'validate':

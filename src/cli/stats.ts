@@ -6,10 +6,17 @@ import { oneLine } from '../core/species/one-line.ts';
 import type { Species } from '../core/species/species.ts';
 import { Failure } from './failure.ts';
 
+/** A tree's figures, and how far its curves run beside its stems at most, by level, as a part of a stem's length. */
+export interface Measured {
+  readonly stats: TreeStats;
+  readonly deviation: readonly number[];
+}
+
 /** Grows, fits and packs a tree, as the browser does, and counts it. */
-export function measure(species: Species, seed: number): TreeStats {
+export function measure(species: Species, seed: number): Measured {
   try {
-    return growPacked(species, seed, { now: () => performance.now() }).stats;
+    const { stats, pieces } = growPacked(species, seed, { now: () => performance.now() });
+    return { stats, deviation: [...pieces.deviation] };
   } catch (error) {
     const foreseen = error instanceof GrowthBudgetError || error instanceof NothingGrownError;
     throw foreseen ? new Failure(error.message) : error;
@@ -19,7 +26,7 @@ export function measure(species: Species, seed: number): TreeStats {
 const digits = (value: number, places: number): string => value.toFixed(places);
 
 /** The figures as a person reads them. */
-export function statsText(stats: TreeStats): string {
+export function statsText({ stats, deviation }: Measured): string {
   const heads = [
     'level',
     'stems',
@@ -34,6 +41,7 @@ export function statsText(stats: TreeStats): string {
     'min',
     'max',
     'declination, deg',
+    'curve off stem, %',
   ];
   const rows = stats.levels.map((level) => [
     String(level.level),
@@ -49,6 +57,7 @@ export function statsText(stats: TreeStats): string {
     digits(1000 * level.baseRadius.min, 2),
     digits(1000 * level.baseRadius.max, 2),
     digits(level.declinationDeg.mean, 1),
+    digits(100 * (deviation[level.level] ?? 0), 2),
   ]);
   const widths = heads.map((head, i) => Math.max(head.length, ...rows.map((row) => row[i].length)));
   const line = (cells: readonly string[]) => cells.map((cell, i) => cell.padStart(widths[i])).join('  ');

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { leafGrain, leafGrowth } from '../../src/view/detail.ts';
+import { gridDetail, leafGrain, leafGrowth, leavesDrawn } from '../../src/view/detail.ts';
 import { type LeafGrain, leafMesh, leafTriangles } from '../../src/view/leaf-mesh.ts';
 import { LEAF_SHAPES } from '../../src/view/leaf-outline.ts';
 
@@ -114,6 +114,24 @@ describe('leaf budget', () => {
       expect(width).toBeGreaterThanOrEqual(length);
     }
     expect(leafGrowth(1, 0.2)).toEqual([1, 1]);
+  });
+
+  it('draws all leaves that can be told apart, and of smaller ones as many as cover the same at four pixels', () => {
+    expect(leavesDrawn(10_000, 4, 1e6, 'auto')).toBe(10_000);
+    expect(leavesDrawn(10_000, 40, 1e6, 'auto')).toBe(10_000);
+    expect(leavesDrawn(10_000, 40, 300, 'auto')).toBe(300);
+    for (const length of [3.9, 2, 0.7]) {
+      const drawn = leavesDrawn(10_000, length, 1e6, 'auto');
+      const grown = length * Math.sqrt(10_000 / drawn);
+      expect(grown).toBeGreaterThanOrEqual(3.99);
+      expect(grown).toBeLessThan(4.2);
+    }
+    expect(leavesDrawn(10_000, 0, 1e6, 'auto')).toBe(1);
+  });
+
+  it('draws stems too thin to be seen bending as ribbons of two parts', () => {
+    expect(gridDetail(2, 0.5, 1000, 'auto')).toEqual({ sectors: 1, bands: 4 });
+    expect(gridDetail(2, 0.1, 1000, 'auto')).toEqual({ sectors: 1, bands: 2 });
   });
 
   it('draws leaves coarser the smaller they are, and the more there are', () => {

@@ -163,6 +163,19 @@ export function recordFrame(c: Float64Array, at: number, u: number, out: Float64
   tx *= n;
   ty *= n;
   tz *= n;
+  writeColumns(out, x, y, z, tx, ty, tz);
+}
+
+/** Writes the columns of a frame: the unit vectors (x, y, z) and (tx, ty, tz) at right angles to it, and their cross product. */
+export function writeColumns(
+  out: Float64Array,
+  x: number,
+  y: number,
+  z: number,
+  tx: number,
+  ty: number,
+  tz: number,
+): void {
   out[0] = x;
   out[1] = y;
   out[2] = z;

@@ -1,7 +1,15 @@
 import type { Tree } from '../grow/tree.ts';
 import { writeQuaternion } from '../math/quaternion.ts';
 import { type Chains, fitChains } from './chain.ts';
-import { RECORD, recordArc, recordFrame, recordParameter, recordPoint, transportRecord } from './curve.ts';
+import {
+  RECORD,
+  recordArc,
+  recordFrame,
+  recordParameter,
+  recordPoint,
+  transportRecord,
+  writeColumns,
+} from './curve.ts';
 import { orderPieces, type PieceOrder } from './order.ts';
 import type { Pieces } from './pieces.ts';
 
@@ -137,18 +145,7 @@ function baseFrame(record: Float64Array, at: number, c: Float64Array, o: number,
   const lx = c[o] / edge;
   const ly = c[o + 1] / edge;
   const lz = c[o + 2] / edge;
-  const tx = record[at + 12];
-  const ty = record[at + 13];
-  const tz = record[at + 14];
-  out[0] = lx;
-  out[1] = ly;
-  out[2] = lz;
-  out[3] = tx;
-  out[4] = ty;
-  out[5] = tz;
-  out[6] = ly * tz - lz * ty;
-  out[7] = lz * tx - lx * tz;
-  out[8] = lx * ty - ly * tx;
+  writeColumns(out, lx, ly, lz, record[at + 12], record[at + 13], record[at + 14]);
   return edge;
 }
 
