@@ -17,7 +17,7 @@ const declinations = (species: ReturnType<typeof attracted>) => {
 
 test('switches: "paper" takes the printed form of every switch', () => {
   const stems = (switches: object) =>
-    grow(edit(attracted(0.8, { segSplits: 0.6, splitAngle: 20 }), { switches }), 1).stems;
+    grow(edit(attracted(0.8, { segSplits: 0.6, splitAngle: 20 }), { tree: { baseSize: 0.4 }, switches }), 1).stems;
   const printed = stems({ paper: true });
   expect(printed).toEqual(stems({ halveCloning: true, paperAttraction: true }));
   expect(printed.nodePosition).not.toEqual(stems({ halveCloning: true }).nodePosition);
