@@ -1,7 +1,7 @@
 import { Tree } from '@dgreenheck/ez-tree';
 import { Box3, type MeshPhongMaterial, type Object3D, type WebGLRenderer } from 'three';
+import { shippedWind } from '../e2e/pages/shipped-wind.ts';
 import type { Species } from '../src/core/species/species.ts';
-import { DEFAULT_WIND, presets } from '../src/core/wind/presets.ts';
 import { uprightBox } from '../src/view/tree-extent.ts';
 import { WindTree } from '../src/view/wind-tree.ts';
 import { growInWorker } from '../src/worker/client.ts';
@@ -50,7 +50,7 @@ export async function windgroveTree(
   const { packed } = await growInWorker(species, seed);
   const tree = new WindTree(leafBudget === undefined ? {} : { leafBudget });
   tree.setTree(packed, species);
-  tree.setWind(presets[DEFAULT_WIND]!);
+  tree.setWind(await shippedWind('breeze'));
   tree.setShadows(true, true);
   return {
     name: `Windgrove, ${species.name}${leafBudget === undefined ? '' : `, leafBudget ${leafBudget}`}`,

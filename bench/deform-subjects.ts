@@ -4,7 +4,7 @@ import { surfacePoint } from '../src/core/deform/surface.ts';
 import { handlesOf } from '../src/core/math/frames.ts';
 import { hashPcg, hashUnit } from '../src/core/math/hash.ts';
 import type { Vec3 } from '../src/core/math/vec3.ts';
-import { BRANCH_LAYERS, TEXEL } from '../src/core/pack/layout.ts';
+import { BRANCH_LAYERS, MECHANICS_SIZE, TEXEL } from '../src/core/pack/layout.ts';
 import type { PackedTree } from '../src/core/pack/packed.ts';
 import { texelArray, wordTexels } from '../src/core/pack/texel-array.ts';
 import { TreeTextures } from '../src/gpu/tree-textures.ts';
@@ -50,6 +50,7 @@ export function strewnPieces(count: number): PackedTree {
     depthStart: new Uint32Array([0, count]),
     pieces: texelArray(count, 5),
     restPose,
+    mechanics: new Float32Array(MECHANICS_SIZE * count),
     branches,
     leaves: wordTexels(0, 1),
     leafLength: 0,

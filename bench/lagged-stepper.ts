@@ -1,11 +1,12 @@
 import type { RawShaderMaterial, WebGLRenderer } from 'three';
 import type { PackedTree } from '../src/core/pack/packed.ts';
 import { createWindState } from '../src/core/wind/fade.ts';
+import { forceDefines, forceUniforms } from '../src/core/wind/force-variant.ts';
 import { PassState } from '../src/gpu/pass-state.ts';
+import { STEP } from '../src/gpu/step.ts';
 import { TexelDraw, texelMaterial } from '../src/gpu/texel-draw.ts';
 import { treeShader } from '../src/gpu/tree-shader.ts';
 import { TreeTextures } from '../src/gpu/tree-textures.ts';
-import { STEP } from '../src/gpu/wind-pass.ts';
 import type { WindSource } from '../src/gpu/wind-source.ts';
 
 /** All pieces of a tree at once, by any fragment shader with the inputs of the wind pass: to measure variants beside each other. */
@@ -18,7 +19,9 @@ export class LaggedStepper {
   readonly #parent;
   #step = 0;
 
-  constructor(tree: PackedTree, fragment: string, defines: Record<string, number> = {}) {
+  /** The shader is the one that suits the wind as it is at time 0. */
+  constructor(tree: PackedTree, fragment: string, source: WindSource, defines: Record<string, number> = {}) {
+    source.fill(0, this.#wind);
     this.#textures = new TreeTextures(tree, true);
     this.#draw = new TexelDraw(tree.pieces.width, tree.pieces.height, [[0, tree.pieceCount]]);
     this.#parent = { value: this.#textures.pose.targets![0].textures };
@@ -28,11 +31,11 @@ export class LaggedStepper {
         pieces: { value: this.#textures.pieces },
         parentPose: this.#parent,
         log2Width: { value: Math.log2(tree.pieces.width) },
-        windWaves: { value: this.#wind.waves },
-        windPhases: { value: this.#wind.phases },
-        windExponents: { value: [1, 1] },
+        ...Object.fromEntries(Object.entries(forceUniforms(this.#wind)).map(([name, value]) => [name, { value }])),
+        windExponents: { value: [this.#wind.forceExponent, this.#wind.lengthExponent] },
+        windSoftness: { value: this.#wind.softness },
       },
-      { WIND_WAVES: 4, ...defines },
+      { ...forceDefines(this.#wind), ...defines },
     );
   }
 
@@ -40,7 +43,6 @@ export class LaggedStepper {
     const step = ++this.#step;
     const targets = this.#textures.pose.targets!;
     source.fill(step * STEP, this.#wind);
-    this.#wind.waves.fill(0, 4 * this.#wind.count);
     this.#parent.value = targets[step & 1].textures;
     this.#state.begin(renderer);
     this.#draw.draw(renderer, targets[1 - (step & 1)], this.#material, 0);

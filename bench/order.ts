@@ -1,13 +1,15 @@
 // Does the order of the pieces matter to the wind pass? Sorted by depth and parent, as packed, beside shuffled within each depth.
 import { WebGLRenderer } from 'three';
+import { shippedWind } from '../e2e/pages/shipped-wind.ts';
 import { hashPcg } from '../src/core/math/hash.ts';
 import { PIECE_LAYERS } from '../src/core/pack/layout.ts';
 import type { PackedTree, TexelArray } from '../src/core/pack/packed.ts';
-import { presets } from '../src/core/wind/presets.ts';
+import type { Wind } from '../src/core/wind/wind.ts';
 import { syntheticTree } from '../src/gpu/crosscheck/synthetic-tree.ts';
 import { rendererName } from '../src/gpu/renderer-name.ts';
+import { STEP } from '../src/gpu/step.ts';
 import { TreeTextures } from '../src/gpu/tree-textures.ts';
-import { STEP, WindPass } from '../src/gpu/wind-pass.ts';
+import { WindPass } from '../src/gpu/wind-pass.ts';
 import { windSource } from '../src/gpu/wind-source.ts';
 import { interleave, type Subject } from './interleave.ts';
 import type { BenchReport } from './report.ts';
@@ -18,6 +20,7 @@ const ROUNDS = Number(query.get('rounds') ?? 9);
 
 const renderer = new WebGLRenderer({ antialias: false });
 const texel = new Float32Array(4);
+const breeze: Wind = { ...(await shippedWind('breeze')), model: 'direct' };
 
 /** The tree with the pieces of each depth in the order of a hash, and parents renumbered. */
 function shuffled(tree: PackedTree): PackedTree {
@@ -53,7 +56,7 @@ function measure(count: number): (string | number)[] {
   const sorted = syntheticTree(count, 7);
   const trees = [sorted, shuffled(sorted)];
   const textures = trees.map((tree) => new TreeTextures(tree, true));
-  const winds = [windSource({ ...presets.breeze, pose: 'exact' }), windSource({ ...presets.breeze, pose: 'lagged' })];
+  const winds = (['exact', 'lagged'] as const).map((pose) => windSource({ ...breeze, pose }));
   const passes: WindPass[] = [];
   const subjects = winds.flatMap((wind, w) =>
     textures.map((each, t): Subject => {

@@ -1,14 +1,16 @@
-// Steps a second of the wind pass beside a pass that only attaches and writes, and beside the same step in TypeScript.
+// Milliseconds a step of the wind pass, by each bend model, beside a pass that only attaches and writes, and beside the same step in TypeScript.
 import { WebGLRenderer } from 'three';
+import { shippedWind } from '../e2e/pages/shipped-wind.ts';
 import floorFragment from '../shaders/debug/floor.frag';
 import stepFragment from '../shaders/wind/step.frag';
 import { createWindState } from '../src/core/wind/fade.ts';
 import { poseTree } from '../src/core/wind/pose-tree.ts';
-import { presets } from '../src/core/wind/presets.ts';
+import type { Wind } from '../src/core/wind/wind.ts';
 import { syntheticTree } from '../src/gpu/crosscheck/synthetic-tree.ts';
 import { rendererName } from '../src/gpu/renderer-name.ts';
+import { STEP } from '../src/gpu/step.ts';
 import { TreeTextures } from '../src/gpu/tree-textures.ts';
-import { STEP, WindPass } from '../src/gpu/wind-pass.ts';
+import { WindPass } from '../src/gpu/wind-pass.ts';
 import { windSource } from '../src/gpu/wind-source.ts';
 import { interleave, type Subject, type Timing } from './interleave.ts';
 import { LaggedStepper } from './lagged-stepper.ts';
@@ -17,6 +19,8 @@ interface Row {
   readonly pieces: number;
   readonly depths: number;
   readonly timings: readonly Timing[];
+  /** The bend models beside each other; the first is the paper's. */
+  readonly models: readonly Timing[];
 }
 
 const query = new URLSearchParams(location.search);
@@ -26,15 +30,15 @@ const DEPTHS = Number(query.get('depths') ?? 7);
 
 const renderer = new WebGLRenderer({ antialias: false });
 const texel = new Float32Array(4);
+const wind: Wind = { ...(await shippedWind('fresh-breeze')), model: 'direct' };
 
 function measure(pieces: number): Row {
   const tree = syntheticTree(pieces, DEPTHS);
-  const wind = presets['fresh-breeze'];
   const exact = windSource({ ...wind, pose: 'exact' });
   const lagged = windSource({ ...wind, pose: 'lagged' });
 
   const stepper = (name: string, fragment: string, defines?: Record<string, number>): Subject & { dispose(): void } => {
-    const it = new LaggedStepper(tree, fragment, defines);
+    const it = new LaggedStepper(tree, fragment, lagged, defines);
     return {
       name,
       run: () => it.step(renderer, lagged),
@@ -43,9 +47,9 @@ function measure(pieces: number): Row {
     };
   };
   const textures = new TreeTextures(tree, true);
-  const pass = (name: string, source: typeof exact): Subject & { dispose(): void } => {
+  const pass = (name: string, source: typeof exact, between = 0): Subject & { dispose(): void } => {
     const it = new WindPass(textures);
-    let step = 0;
+    let step = between;
     return {
       name,
       run: () => it.update(renderer, ++step * STEP, source),
@@ -73,9 +77,12 @@ function measure(pieces: number): Row {
     },
   ];
   const timings = interleave(subjects, ROUNDS);
-  for (const subject of subjects) subject.dispose();
+  const passes = (['direct', 'spring', 'sway'] as const).map((model) => pass(model, windSource({ ...wind, model })));
+  passes.push(pass('spring between steps', windSource({ ...wind, model: 'spring' }), 0.4));
+  const models = interleave(passes, ROUNDS);
+  for (const subject of [...subjects, ...passes]) subject.dispose();
   textures.dispose();
-  return { pieces, depths: tree.depthStart.length - 1, timings };
+  return { pieces, depths: tree.depthStart.length - 1, timings, models };
 }
 
 const show = (id: string, text: string) => {

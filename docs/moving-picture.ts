@@ -2,7 +2,7 @@
 // period that fits into LOOP seconds a whole number of times, so the last frame leads into the first.
 
 import type { Species } from '../src/core/species/species.ts';
-import type { Wave, Wind } from '../src/core/wind/wind.ts';
+import { STILL, type Wave, type Wind } from '../src/core/wind/wind.ts';
 import { Stage } from '../src/view/stage.ts';
 import { uprightBox } from '../src/view/tree-extent.ts';
 import { WindTree } from '../src/view/wind-tree.ts';
@@ -21,6 +21,7 @@ const wave = (
   phase: number,
 ): Wave => ({
   on: true,
+  solo: false,
   amplitude,
   direction: (degrees * Math.PI) / 180,
   wavelength,
@@ -31,20 +32,18 @@ const wave = (
 
 /** About a gale, so that a picture of a few seconds shows what moves. */
 const wind: Wind = {
+  ...STILL,
   name: 'picture',
-  strength: 1,
   waves: [
     wave(0.19, 15, 48, 1, 2.2, 0),
     wave(0.085, -20, 19, 2, 1.8, 0.37),
     wave(0.045, 42, 10, 3, 1.6, 0.71),
     wave(0.027, -52, 7, 4, 1.5, 0.18),
   ],
-  model: 'direct',
-  pose: 'exact',
-  forceExponent: 1,
-  lengthExponent: 1,
-  paper: false,
 };
+
+/** Seconds that the branches swing before the first frame: after that they repeat with the waves. */
+const RUN_IN = 10 * LOOP;
 
 const asked = new URLSearchParams(location.search);
 const file = (await (await fetch(`/species/${asked.get('species') ?? 'quaking-aspen'}.json`)).json()) as Species;
@@ -69,7 +68,8 @@ stage.controls.target.copy(target).y *= 1.12;
 stage.camera.position.lerp(stage.controls.target, 0.22);
 
 const show = (time: number): void => {
-  tree.update(stage.renderer, time);
+  do tree.update(stage.renderer, RUN_IN + time);
+  while (tree.catchingUp !== null);
   stage.render();
 };
 // The first frame compiles.

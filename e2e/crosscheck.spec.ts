@@ -1,10 +1,13 @@
 import { expect, type Page, test } from '@playwright/test';
 import type { Check, Report } from '../src/gpu/crosscheck/report.ts';
 
+/** A whole run takes half a minute on a quiet machine with software GL, and its time on a busy one. */
+const LONGEST = 240_000;
+
 /** Opens the page and waits for its report: the text of `#report`, written when all is done. */
 async function reportOf(page: Page, query = ''): Promise<Report> {
   await page.goto(`crosscheck.html${query}`);
-  await expect(page.locator('#report')).not.toBeEmpty({ timeout: 100_000 });
+  await expect(page.locator('#report')).not.toBeEmpty({ timeout: LONGEST });
   return JSON.parse((await page.locator('#report').textContent()) ?? '');
 }
 
@@ -17,13 +20,16 @@ const MUST_BE_CHECKED = [
   'hashPcg',
   'hashUnit',
   'texelOf',
+  'leafSwing',
+  'leanTowards',
+  'turnAlong',
   'rotateByQuaternion',
   'matrixFromQuaternion',
   'bezierPoint',
   'bezierDerivative',
   'bezierSecondDerivative',
-  'bezierArcLength',
-  'rescaleArc',
+  'arcLength',
+  'holdArc',
   'edgesOf',
   'handlesOf',
   'projectedHandlesOf',
@@ -41,15 +47,32 @@ const MUST_BE_CHECKED = [
   'paperSurfacePoint',
   'windForce',
   'linearWindForce',
+  'wavesForce',
+  'wavePush',
+  'profileFactor',
+  'gustsForce',
+  'recordForce',
+  'gustEnvelope',
+  'gustWidth',
+  'gustPush',
   'bendVector',
   'bendPiece',
+  'mixPush',
+  'springTarget',
+  'springStep',
+  'mixSpring',
+  'springStir',
+  'swaySwing',
+  'swayStir',
   'poseFromParent',
   'branch deformer, variants',
   ...['forest', 'aspen'].flatMap((tree) => [
     `rest pose, ${tree}`,
-    ...['exact', 'lagged'].flatMap((mode) => [
-      ...[1, 10, 600].map((step) => `wind pass, ${tree}, ${mode}, step ${step}`),
-      `wind pass, ${tree}, ${mode}, sought`,
+    ...['direct, exact', 'spring, exact', 'sway, exact', 'direct, lagged', 'spring, lagged'].flatMap((how) => [
+      ...[1, 10, 600].map((step) => `wind pass, ${tree}, ${how}, step ${step}`),
+      `wind pass, ${tree}, ${how}, arc length`,
+      `wind pass, ${tree}, ${how}, sought`,
+      `wind pass, ${tree}, ${how}, sought back and forth`,
     ]),
     ...['bark', 'bark of a trunk', 'bark of a plain stem'].flatMap((bark) => [
       `deformed ${tree}, ${bark}, positions`,
@@ -58,12 +81,39 @@ const MUST_BE_CHECKED = [
     `deformed ${tree}, leaves, positions`,
     `deformed ${tree}, leaves, normals`,
   ]),
-  'wind pass, forest, paper, exact, step 600',
-  'pose on the CPU, aspen',
+  'wind pass, forest, paper, direct, exact, step 600',
+  ...['direct', 'spring'].flatMap((model) => [
+    `wind pass, ${model}, 8 waves, gusts, profile and record, between two steps`,
+    `wind pass, ${model}, 16 waves while one wind fades into another, at a step`,
+  ]),
+  ...['direct', 'spring', 'sway'].flatMap((from) =>
+    ['direct', 'spring', 'sway']
+      .filter((to) => to !== from)
+      .map((to) => `wind pass, ${from} fading into ${to}, between two steps`),
+  ),
+  'spring, free decay, frequency',
+  'spring, free decay, damping',
+  'spring, a small tree, 20,000 steps at Beaufort 11',
+  'spring, a small tree, 20,000 steps at Beaufort 11, arc length',
+  'wind pass, spring, an edit while playing',
+  'wind pass, spring, sought after an edit',
+  'wind pass, spring, while it catches up',
+  'wind pass, no tip leaps',
+  'wind pass, exact, read back',
+  'wind pass, lagged, read back',
+  'wind pass, dispose',
+  ...['direct', 'spring', 'sway'].map((model) => `pose on the CPU, aspen, ${model}`),
   'wind pass, settings of the renderer',
-  'wind pass, exact, after a lost context',
-  'wind pass, lagged, after a lost context',
+  'wind pass, spring, exact, after a lost context',
+  'wind pass, spring, lagged, after a lost context',
 ];
+
+/** What is asked for less than a thousandth: measured of a swing rather than computed, or of numbers in the thousands. */
+const LOOSER: Record<string, number> = {
+  'spring, free decay, frequency': 0.01,
+  'spring, free decay, damping': 0.01,
+  'springStep, acceleration': 0.02,
+};
 
 test.describe('on this renderer', () => {
   let report: Report;
@@ -72,6 +122,7 @@ test.describe('on this renderer', () => {
   let rows = 0;
 
   test.beforeAll(async ({ browser }) => {
+    test.setTimeout(LONGEST + 20_000);
     const page = await browser.newPage();
     page.on('pageerror', (error) => errors.push(error.message));
     report = await reportOf(page);
@@ -107,7 +158,8 @@ test.describe('on this renderer', () => {
     const vacuous = ({ samples, maxError, tolerance }: Check) =>
       samples === 0 || (tolerance > 0 && maxError === 0) || maxError < 0;
     expect(report.checks.filter(vacuous)).toEqual([]);
-    expect(report.checks.filter((check) => check.tolerance > 1e-3)).toEqual([]);
+    const loose = report.checks.filter(({ name, tolerance }) => tolerance > (LOOSER[name] ?? 1e-3));
+    expect(loose).toEqual([]);
   });
 });
 

@@ -20,7 +20,24 @@ for (const theme of ['light', 'dark'] as const) {
     await page.setViewportSize({ width: 1024, height: 640 });
     await open(page, `${BARE}&theme=${theme}&seed=-1`);
     await page.getByText('Statistics').click();
-    await page.getByText('Advanced').click();
+    for (const part of [
+      'Wizard',
+      'Gusts',
+      'Branches answer',
+      'Level by level',
+      'Air and paper',
+      'Copy, paste, files',
+    ]) {
+      await page.getByText(part, { exact: true }).click();
+    }
+    await page.getByRole('button', { name: 'Wave 1: all settings' }).click();
+    await page.getByRole('button', { name: 'Throw a gust' }).first().click();
+    await page.getByRole('checkbox', { name: 'Limbs: frequency of its own' }).check();
+    await page.getByRole('radio', { name: 'Logarithmic' }).check();
+    await page.evaluate(() => {
+      location.hash += '&compare=split,0.5';
+    });
+    await expect(page.getByRole('slider', { name: 'Line between A and B' })).toBeVisible();
     expect(await faults(page)).toEqual([]);
     await page.keyboard.press('?');
     await expect(page.getByRole('dialog')).toBeVisible();
@@ -39,11 +56,12 @@ test.describe('on a phone', () => {
     const sheet = page.getByRole('region', { name: 'Controls' });
     const height = async (): Promise<number> => (await sheet.boundingBox())!.height / 844;
     expect(await height()).toBeLessThan(0.4);
-    await page.getByRole('tab', { name: 'Wind' }).tap();
+    await page.getByRole('tab', { name: 'Wind', exact: true }).tap();
     const handle = page.getByRole('button', { name: /Height of the controls/ });
     await handle.tap();
     await expect.poll(height).toBeGreaterThan(0.6);
 
+    await page.getByRole('button', { name: 'Wave 1: all settings' }).tap();
     const slider = page.getByRole('slider', { name: 'Wave 1 wavelength' });
     await slider.scrollIntoViewIfNeeded();
     const box = (await slider.boundingBox())!;
@@ -72,15 +90,16 @@ test.describe('on a phone', () => {
     await open(page, BARE);
     await settled(page);
     await page.getByRole('button', { name: 'Got it' }).tap();
-    for (const tab of ['Grow', 'Wind', 'Time', 'View']) {
-      await page.getByRole('tab', { name: tab }).tap();
+    for (const tab of ['Grow', 'Wind', 'Studio', 'Time', 'View']) {
+      await page.getByRole('tab', { name: tab, exact: true }).tap();
+      if (tab === 'Wind') await page.getByRole('button', { name: 'Wave 1: all settings' }).tap();
       const small = await page.evaluate(() =>
-        [...document.querySelectorAll<HTMLElement>('button, input, summary, label.button')]
+        [...document.querySelectorAll<HTMLElement>('button, input, summary, label.button, .dial')]
           .filter(
             (e) =>
               e.checkVisibility() && !e.closest('dialog, .spoken') && !e.matches('.spoken, .text, .handle, #scrub'),
           )
-          .map((e) => (e.closest('label.toggle, .choice label') ?? e) as HTMLElement)
+          .map((e) => (e.closest('label.toggle, .choice label, .wind') ?? e) as HTMLElement)
           .filter((e) => e.getBoundingClientRect().height < 44)
           .map((e) => e.outerHTML.slice(0, 80)),
       );

@@ -10,7 +10,7 @@ const aspen = (): Json & { tree: Json; levels: Json[]; leaves: Json } =>
 
 const choose = (page: Page, text: string): Promise<void> =>
   page
-    .locator('input[type=file]')
+    .locator('wg-grow input[type=file]')
     .setInputFiles({ name: 'mine.json', mimeType: 'application/json', buffer: Buffer.from(text) });
 
 /** What is wrong with a file, and what the message must say of it: the path, and what was found or is allowed. */

@@ -84,6 +84,13 @@ test('shows its wireframe, its control polygons and its levels, and itself again
   expect(shaded).toBe(0);
 });
 
+test('shows a second wind on the same tree, with its shadow, as a tree of its own would', async ({ page }) => {
+  const { apart, a, b, again, dropped } = await ask(page, 'compare');
+  expect(apart).toBeGreaterThan(0.005);
+  expect([a, b, again]).toEqual([0, 0, 0]);
+  expect(dropped).toBeGreaterThanOrEqual(8);
+});
+
 test('has a still picture for browsers without WebGL2', async ({ page }) => {
   await page.goto('e2e/pages/still.html');
   await page.waitForFunction(() => 'done' in window);

@@ -17,9 +17,10 @@ import {
 } from 'three';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { POSE_TARGETS, TEXEL } from '../../src/core/pack/layout.ts';
-import { presets } from '../../src/core/wind/presets.ts';
+import type { Wind } from '../../src/core/wind/wind.ts';
 import { type Mode, WindTree } from '../../src/view/wind-tree.ts';
 import { grown, small } from './grown.ts';
+import { shippedWind } from './shipped-wind.ts';
 
 // WindTree in a plain three.js scene, for e2e/view.spec.ts: each function of `window.home` tries one thing and tells what it saw.
 const canvas = document.querySelector('canvas') as HTMLCanvasElement;
@@ -35,10 +36,20 @@ const look = (from: Vector3, to: Vector3) => {
 };
 const whole = () => look(new Vector3(8, 6, 32), new Vector3(0, 8, 0));
 
-function newTree(wind = 'fresh-breeze'): WindTree {
+// Without state: what is tried here is the tree in its scene, and any time comes at once.
+const winds = {
+  still: await directWind('still'),
+  'fresh-breeze': await directWind('fresh-breeze'),
+  gale: await directWind('gale'),
+};
+async function directWind(id: string): Promise<Wind> {
+  return { ...(await shippedWind(id)), model: 'direct' };
+}
+
+function newTree(wind: keyof typeof winds = 'fresh-breeze'): WindTree {
   const windTree = new WindTree();
   windTree.setTree(tree.packed, tree.species);
-  windTree.setWind(presets[wind]);
+  windTree.setWind(winds[wind]);
   return windTree;
 }
 
@@ -249,6 +260,34 @@ const home = {
     });
     windTree.dispose();
     return result;
+  },
+
+  /** Two winds on one tree, against two trees with one wind each: parts of the picture that differ, shadows and all. */
+  compare() {
+    const windTree = newTree();
+    windTree.compareWith(winds.gale);
+    const scene = litScene(windTree);
+    whole();
+    const a = draw(scene, [windTree], 1);
+    windTree.show('B');
+    renderer.render(scene, camera);
+    const b = pixels();
+    const textures = renderer.info.memory.textures;
+    windTree.compareWith(null);
+    const again = draw(scene, [windTree], 1);
+    const result = {
+      apart: changed(a, b),
+      again: changed(a, again),
+      dropped: textures - renderer.info.memory.textures,
+    };
+    windTree.dispose();
+    const alone = (['fresh-breeze', 'gale'] as const).map((wind) => {
+      const one = newTree(wind);
+      const picture = draw(litScene(one), [one], 1);
+      one.dispose();
+      return picture;
+    });
+    return { ...result, a: changed(a, alone[0] as Uint8Array), b: changed(b, alone[1] as Uint8Array) };
   },
 };
 

@@ -1,9 +1,10 @@
-import { presets } from '../../src/core/wind/presets.ts';
+import type { BendModelName } from '../../src/core/wind/wind.ts';
 import { Stage } from '../../src/view/stage.ts';
 import { type Mode, WindTree } from '../../src/view/wind-tree.ts';
 import { grown } from './grown.ts';
+import { shippedWind } from './shipped-wind.ts';
 
-// One tree on the stage, as the address says: species, seed, wind, t, mode, dark, levels, detail, budget, azimuth, and
+// One tree on the stage, as the address says: species, seed, wind, model, t, mode, dark, levels, detail, budget, azimuth, and
 // view=x,y,z,x,y,z, a camera and its target, for close looks.
 const q = new URLSearchParams(location.search);
 const text = (name: string, otherwise: string) => q.get(name) ?? otherwise;
@@ -19,13 +20,14 @@ stage.resize(innerWidth, innerHeight, 1);
 stage.setDark(q.has('dark'));
 const windTree = new WindTree();
 windTree.setTree(packed, species);
-windTree.setWind(presets[text('wind', 'breeze')]);
+const wind = await shippedWind(text('wind', 'breeze'));
+windTree.setWind({ ...wind, model: text('model', wind.model) as BendModelName });
 windTree.mode = text('mode', 'shaded') as Mode;
 if (q.has('levels')) windTree.levelsShown = number('levels', 4);
 if (q.has('detail')) windTree.detail = text('detail', 'auto') as 'high';
 if (q.has('budget')) windTree.leafBudget = number('budget', 1e6);
 stage.scene.add(windTree);
-stage.frame(box, number('azimuth', 0.2));
+stage.frame(box, { azimuth: number('azimuth', 0.2) });
 const view = q.get('view')?.split(',').map(Number);
 if (view) {
   stage.camera.position.set(view[0], view[1], view[2]);
@@ -34,6 +36,7 @@ if (view) {
 }
 const draw = (time: number) => {
   windTree.update(stage.renderer, time);
+  stage.blow(windTree.windSource(), time);
   stage.render(true);
 };
 draw(number('t', 3));

@@ -8,11 +8,11 @@ uniform highp sampler2D poseEven[4];
 uniform highp sampler2D poseOdd[4];
 uniform int poseLog2Width;
 
-// Control points in tree space, the orientation vector across the first edge, and the angle of the piece's bend in radians.
+// Control points in tree space, the orientation vector across the first edge, and how hard leaves are shaken there, metres of force.
 struct Pose {
   Cubic curve;
   vec3 across;
-  float bend;
+  float stir;
 };
 
 // Pieces of even depth live in one set of textures and those of odd depth in the other (equations.md 4.1).

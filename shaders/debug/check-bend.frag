@@ -9,9 +9,9 @@ void main() {
   vec4 e = given(4);
   Cubic curve = Cubic(a.xyz, b.xyz, c.xyz, d.xyz);
   vec2 force = vec2(a.w, b.w);
-  Bent bent = bendPiece(curve, force, c.w, e.xy, d.w);
-  out0 = vec4(bent.curve.p1, bent.angle);
-  out1 = vec4(bent.curve.p2, 0.0);
-  out2 = vec4(bent.curve.p3, 0.0);
+  Cubic bent = bendPiece(curve, directPush(force, c.w, e.xy), d.w);
+  out0 = vec4(bent.p1, 0.0);
+  out1 = vec4(bent.p2, 0.0);
+  out2 = vec4(bent.p3, 0.0);
   out3 = vec4(bendVector(force, c.w, e.z, e.w), 0.0);
 }

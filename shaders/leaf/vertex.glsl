@@ -3,7 +3,7 @@
 #include /branch/section.glsl
 #include /lib/hash.glsl
 #include /lib/quaternion.glsl
-#include /lib/trig.glsl
+#include /leaf/swing.glsl
 #include /leaf/texel.glsl
 
 in vec4 blade;
@@ -16,6 +16,8 @@ uniform ivec2 leafRange;
 uniform vec2 leafSize;
 // Widest angle in radians | time in sixteenths of a beat, wrapped to 0..1
 uniform vec2 leafFlutter;
+// Direction towards which it blows at the tree, tree axes; shorter than 1 where it hardly does.
+uniform vec2 leafWind;
 
 struct LeafVertex {
   vec3 position;
@@ -43,18 +45,15 @@ LeafVertex leafVertex() {
   mat3 frame = mat3(section.along, section.t, section.s);
   vec3 p = position * vec3(leafSize.x, leafSize.y, leafSize.y);
   vec3 n = normal;
-  // The bend of the branch tells how hard it blows here. Each leaf beats whole multiples of a sixteenth of the common rate,
-  // so that time may wrap without a jump and no two neighbours stay in step.
-  float beat = floor(11.0 + 11.0 * own);
-  float force = clamp(pose.bend * 2.2, 0.0, 1.0);
-  float swing = leafFlutter.x * force;
-  float shake = sinTurns(beat * leafFlutter.y + phase) + 0.5 * sinTurns((beat + 6.0) * leafFlutter.y + 2.0 * phase);
-  float nod = sinTurns((beat - 4.0) * leafFlutter.y + 3.0 * phase) - 0.4;
-  vec2 sines = clamp(swing * vec2(0.75 * shake, 0.4 * nod), -0.95, 0.95);
+  LeafSwing swing = leafSwing(pose.stir, own, phase, leafFlutter.x, leafFlutter.y);
+  vec2 sines = swing.sines;
   vec2 cosines = sqrt(1.0 - sines * sines);
   p = swung(p, sines, cosines);
   n = swung(n, sines, cosines);
-  return LeafVertex(
-    section.centre + frame * rotateByQuaternion(leaf.orientation, p), frame * rotateByQuaternion(leaf.orientation, n), own
-  );
+  p = frame * rotateByQuaternion(leaf.orientation, p);
+  n = frame * rotateByQuaternion(leaf.orientation, n);
+  // Blades lean downwind, from the foot of the stalk on, which stays where it grew.
+  vec3 along = frame * rotateByQuaternion(leaf.orientation, vec3(0.0, 0.0, 1.0));
+  vec3 leant = leanTowards(along, leafWind, swing.lean);
+  return LeafVertex(section.centre + turnAlong(p, along, leant), turnAlong(n, along, leant), own);
 }

@@ -1,7 +1,10 @@
 // Tufts of grass on the ground: they stand in the ground's own light, so they never read as things apart from it.
 // position: root x | height of the corner | root z, roots in a square of side 2. normal.xy: offset of the corner, normal.z: tone.
+#include /stage/field.glsl
+
 out vec3 vGround;
-out vec2 vBlade;
+// Height on the blade | tone | how far the wind has laid it over, 0..1.
+out vec3 vBlade;
 
 // Middle of the square before the eye (x, z), metres, and log2 of half its side.
 uniform vec3 grassSquare;
@@ -25,5 +28,14 @@ vec3 grassPoint() {
   grown *= mix(0.6, 1.0, smoothstep(groundReach.z, groundReach.z * 3.0, length(root)));
   // Far blades are larger: they stand for the many that are not drawn.
   grown *= clamp(sqrt(reach / 6.0), 0.75, 1.6);
-  return vec3(root.x + normal.x * grown, position.y * grown, root.y + normal.y * grown);
+  // Grass is soft: a breeze lays it over by a third, a gale flat. No two blades are as stiff.
+  vec2 force = fieldForce(vec2(root.x, -root.y));
+  float strength = length(force);
+  float lean = 1.0 - exp(-strength * mix(4.0, 9.0, normal.z));
+  vec2 way = force / max(strength, 1e-6);
+  float up = position.y * grown;
+  float angle = 0.21 * lean;
+  vec2 corner = normal.xy * grown * (position.y > 0.0 ? 1.0 - 0.5 * lean : 1.0) + vec2(way.x, -way.y) * (up * sinTurns(angle));
+  vBlade = vec3(position.y > 0.0 ? 1.0 : 0.0, normal.z, lean);
+  return vec3(root.x + corner.x, up * cosTurns(angle), root.y + corner.y);
 }

@@ -19,11 +19,11 @@ struct RestPiece {
   float third;
 };
 
-// Where a piece is: its curve, its orientation vector, and by how many radians it bends.
+// Where a piece is: its curve, its orientation vector, and how hard its leaves are shaken, metres of force.
 struct Pose {
   Cubic curve;
   vec3 o;
-  float angle;
+  float stir;
 };
 
 // Control points and orientation vector of a piece whose base frame is `frame` and whose P0 is `at`.
@@ -53,14 +53,13 @@ Pose attachRoot(vec3 at, RestPiece rest) {
   return placePiece(at, matrixFromQuaternion(rest.orientation), rest);
 }
 
-// A placed piece bent by a force in metres.
-Pose bendPose(Pose placed, RestPiece rest, vec2 force) {
-  Bent bent = bendPiece(placed.curve, force, rest.third, rest.weights, rest.arc);
-  return Pose(bent.curve, placed.o, bent.angle);
+// A placed piece bent by a push, its leaves shaken by `stir`.
+Pose bendPose(Pose placed, RestPiece rest, Push push, float stir) {
+  return Pose(bendPiece(placed.curve, push, rest.arc), placed.o, stir);
 }
 
 // A child's pose from its parent's: attached, then bent (Skjermo 2007, 4.2 and equation 17).
-Pose poseFromParent(Cubic parent, vec3 parentO, RestPiece rest, vec2 force) {
-  return bendPose(attachPiece(parent, parentO, rest), rest, force);
+Pose poseFromParent(Cubic parent, vec3 parentO, RestPiece rest, Push push, float stir) {
+  return bendPose(attachPiece(parent, parentO, rest), rest, push, stir);
 }
 #endif

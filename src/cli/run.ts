@@ -1,22 +1,17 @@
 import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { parseArgs } from 'node:util';
-import { faultText, parseSpecies } from '../core/species/parse.ts';
 import { Failure, UsageError } from './failure.ts';
-import { findSpecies, readText, shippedNames } from './species-files.ts';
+import { findSpecies, shippedNames } from './species-files.ts';
 import { measure, statsText } from './stats.ts';
-
-/** Where the command writes: whole lines to standard output and standard error. */
-export interface Streams {
-  readonly out: (line: string) => void;
-  readonly err: (line: string) => void;
-}
+import type { Streams } from './streams.ts';
+import { validate } from './validate.ts';
 
 const help = (): string => `windgrove: trees with wind through every branch
 
 Usage:
   windgrove stats SPECIES [--seed N] [--json]   grow a tree and print its figures
-  windgrove validate FILE...                    check species files; exit status 1 where one has a fault
+  windgrove validate FILE...                    check files of species and winds; exit status 1 where one has a fault
   windgrove --help | --version
 
 SPECIES is a species file, or the name of a shipped one:
@@ -88,29 +83,12 @@ function command(args: readonly string[], { out, err }: Streams): number {
     case 'validate':
       if (values.seed !== undefined || values.json) throw new UsageError('validate takes no options.');
       if (rest.length === 0) throw new UsageError('validate takes at least one FILE.');
-      return validate(rest, out, err);
+      return validate(rest, { out, err });
     case undefined:
       throw new UsageError('Say what to do: stats or validate.');
     default:
       throw new UsageError(`There is no command "${name}": it is stats or validate.`);
   }
-}
-
-function validate(files: readonly string[], out: Streams['out'], err: Streams['err']): number {
-  let status = 0;
-  for (const file of files) {
-    let lines: string[];
-    try {
-      lines = (parseSpecies(readText(file)).faults ?? []).map((fault) => `${file}: ${faultText(fault)}`);
-    } catch (error) {
-      if (!(error instanceof Failure)) throw error;
-      lines = [error.message];
-    }
-    for (const line of lines) err(line);
-    if (lines.length === 0) out(`${file}: a valid species`);
-    else status = 1;
-  }
-  return status;
 }
 
 /** Runs the command with the arguments after its name; returns the exit status. */

@@ -1,7 +1,8 @@
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { nearest } from '../core/species/nearest.ts';
-import { faultText, parseSpecies } from '../core/species/parse.ts';
+import { faultText } from '../core/file/fault.ts';
+import { nearest } from '../core/file/nearest.ts';
+import { parseSpecies } from '../core/species/parse.ts';
 import type { Species } from '../core/species/species.ts';
 import { Failure } from './failure.ts';
 

@@ -1,8 +1,8 @@
+import { oneLine } from '../core/file/one-line.ts';
 import { GrowthBudgetError } from '../core/grow/budget.ts';
 import { NothingGrownError } from '../core/grow/nothing-grown.ts';
 import type { TreeStats } from '../core/grow/stats.ts';
 import { growPacked } from '../core/pack/grow-packed.ts';
-import { oneLine } from '../core/species/one-line.ts';
 import type { Species } from '../core/species/species.ts';
 import { Failure } from './failure.ts';
 

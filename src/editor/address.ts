@@ -4,7 +4,8 @@ import { type DecodeOptions, decodeLink, encodeLink, type LinkDocument, type Lin
 const PACE = 400;
 
 /** Keys of a link that may stand in the query too; others there belong to somebody else. */
-const ours = /^(s|own|seed|t|paused|rate|cam|levels|leaves|view|theme|wind|blow|strength|w[1-4]|p|m|pose|paper)$/;
+const ours =
+  /^(s|own|seed|t|paused|rate|cam|levels|leaves|view|theme|arrows|fronts|handle|probe|blow|compare|(b\.)?(wind|name|says|strength|waves|w[1-8]|g([1-9]|1[0-6])|profile|zero|rec|stiff|model|spring|levelhz|leveldamp|sway|p|m|pose|paper))$/;
 
 /** The address of the page and the document, both ways. */
 export class Address {

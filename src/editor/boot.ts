@@ -1,5 +1,4 @@
 import { type LinkDocument, type LinkFault, roundTime } from '../core/link/link.ts';
-import { presets } from '../core/wind/presets.ts';
 import { Clock } from '../view/clock.ts';
 import { openPicture } from '../view/picture/open-picture.ts';
 import { createActions } from './actions.ts';
@@ -7,32 +6,38 @@ import { Address } from './address.ts';
 import { createDocument, watch } from './document-store.ts';
 import { listenToDrops } from './drop.ts';
 import type { Editor } from './editor.ts';
+import { FileError } from './file-error.ts';
 import { firstDocument } from './first-document.ts';
 import { followDocument } from './follow-document.ts';
 import { Grower } from './grower.ts';
 import { linkFaultLines } from './link-faults.ts';
 import { Loop } from './loop.ts';
+import { openFile } from './open-file.ts';
 import { listenToOrbitKeys } from './orbit-keys.ts';
+import { listenToPastes } from './paste.ts';
 import { loadPreferences, savePreferences } from './preferences.ts';
-import { createSession, type SpeciesEntry } from './session.ts';
+import { sceneEvents } from './scene-events.ts';
+import { pageServices } from './services.ts';
+import { createSession } from './session.ts';
 import { listenToKeys } from './shortcuts.ts';
-import { loadIndex, readOwnFile, SpeciesError } from './species-source.ts';
+import { loadIndex } from './species-source.ts';
+import { createStudio, type Studio } from './studio/studio.ts';
 import { installTestHook } from './test-hook.ts';
 import { followTheme } from './theme.ts';
 import './ui/app.ts';
 import { followInsets, followWidth } from './window-shape.ts';
+import { firstWind, loadWinds } from './winds-source.ts';
 
 /** Milliseconds between two readings of the figures while playing. */
 const FIGURES = 500;
 
 const HINTS = {
-  first: 'Drag to walk around the tree. Pull a slider of the wind, and every branch answers.',
+  first: 'Drag the wind.',
   still: 'Your system asks for less motion, so time stands still. Press play, or Space, to let it run.',
 };
 
 const STILL =
   'The tree is drawn once for each change. Another browser, or graphics acceleration switched on, shows it in the wind.';
-const LOST = 'The graphics card was taken away; the picture comes back with it';
 
 /** Starts the editor: the picture in `host`, the interface in `place`. */
 export async function boot(host: HTMLElement, place: HTMLElement): Promise<void> {
@@ -43,45 +48,43 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
   const clock = new Clock();
   const address = new Address();
 
-  let species: readonly SpeciesEntry[] = [];
-  let broken: unknown;
-  try {
-    species = await loadIndex();
-  } catch (error) {
-    broken = error;
-  }
-  session.setState({ species });
+  const [index, { winds, broken }] = await Promise.all([
+    loadIndex().then(
+      (species) => ({ species, error: null }),
+      (error: unknown) => ({ species: [], error }),
+    ),
+    loadWinds(),
+  ]);
+  session.setState({ species: index.species, winds });
   const decoding = {
-    defaults: firstDocument(preferences.theme, lessMotion),
-    species: species.map((s) => s.id),
-    winds: presets,
+    defaults: firstDocument(preferences.theme, lessMotion, firstWind(winds)),
+    species: index.species.map((s) => s.id),
+    winds: Object.fromEntries(winds.map((w) => [w.id, w.wind])),
   };
   const first = address.read(decoding);
   const document = createDocument(first.document);
   /** The document as the link holds it at this moment: while playing, the clock knows the time. */
   const now = (): LinkDocument => ({ ...document.getState(), time: roundTime(clock.time) });
 
-  const actions = createActions(document, session, preferences, clock, {
-    cancelGrowing: () => grower.cancel(),
-    share: async () => {
-      address.write(now());
-      address.flush();
-      try {
-        await navigator.clipboard.writeText(location.href);
-        actions.notify('note', 'The link to this picture is copied');
-      } catch {
-        actions.notify('note', 'The browser does not let this page copy; the link is in the address bar', [
-          location.href,
-        ]);
-      }
-    },
-  });
+  const actions = createActions(
+    document,
+    session,
+    preferences,
+    clock,
+    pageServices({
+      address,
+      now,
+      notify: (kind, title, lines) => actions.notify(kind, title, lines),
+      cancelGrowing: () => grower.cancel(),
+      ships: (record) => winds.some((w) => w.wind.record?.name === record),
+    }),
+  );
   const tell = (title: string, error: unknown): void => {
-    if (error instanceof SpeciesError) actions.notify('error', error.message, error.lines);
+    if (error instanceof FileError) actions.notify('error', error.message, error.lines);
     else actions.notify('error', title, [error instanceof Error ? error.message : String(error)]);
   };
-  const openFile = (file: File): void =>
-    void readOwnFile(file).then(actions.openSpecies, (error: unknown) => tell(`${file.name} could not be read`, error));
+  const open = (file: File): void =>
+    void openFile(file, actions).catch((error: unknown) => tell(`${file.name} could not be read`, error));
 
   let measured = 0;
   // Its first frame comes after all that it speaks of has been made.
@@ -89,27 +92,27 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
     clock,
     (time) => {
       const figures = picture.draw(time, clock.playing || picture.moving);
+      const { catchingUp } = figures;
+      if (session.getState().catchingUp !== catchingUp) session.setState({ catchingUp });
       const at = performance.now();
       if (!clock.playing || at - measured > FIGURES) {
         measured = at;
         session.setState({ frames: { ...figures, interval: loop.frameInterval } });
       }
-      if (grower.current) root.dataset.ready = 'true';
+      if (grower.current && catchingUp === null) root.dataset.ready = 'true';
     },
-    () => picture.moving,
+    () => picture.moving || session.getState().catchingUp !== null,
   );
-  const { picture, lack, reason } = openPicture(host, {
-    onChange: () => loop.invalidate(),
-    onCamera: (camera) => actions.setCamera(camera),
-    onLost: (lost) => {
-      if (lost) actions.notify('warning', LOST);
-      else actions.retract(LOST);
-      loop.invalidate();
-    },
-  });
-  const editor: Editor = { document, session, preferences, actions, onFrame: loop.onFrame };
+  const { picture, lack, reason } = openPicture(
+    host,
+    sceneEvents(actions, session, loop.invalidate, () => studio),
+  );
+  const shared = { document, session, preferences, actions, picture, onFrame: loop.onFrame };
+  const studio: Studio = createStudio(shared, picture);
+  const editor: Editor = { ...shared, studio };
   const grower: Grower = new Grower(document, session, actions, (tree, of) => {
     picture.setTree(tree, of);
+    studio.setTree(tree.packed);
     loop.invalidate();
   });
 
@@ -119,7 +122,7 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
     updateComplete: Promise<boolean>;
   };
   app.editor = editor;
-  app.addEventListener('species-file', (event) => openFile((event as CustomEvent<File>).detail));
+  app.addEventListener('own-file', (event) => open((event as CustomEvent<File>).detail));
   place.replaceChildren(app);
   await app.updateComplete;
 
@@ -128,10 +131,11 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
     loop.invalidate();
   });
   followInsets(app, session, (insets) => {
+    session.setState({ insets });
     picture.setInsets(insets);
     loop.invalidate();
   });
-  const restart = followDocument(editor, clock, picture, (changed) => {
+  const restart = followDocument(editor, clock, (changed) => {
     if (changed.grow) root.dataset.ready = 'false';
     address.write(now());
     loop.invalidate();
@@ -162,14 +166,16 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
   );
   listenToKeys(editor);
   listenToOrbitKeys(picture, actions);
-  listenToDrops(openFile);
+  listenToDrops(open);
+  listenToPastes(actions);
   installTestHook(editor, picture, loop, () => grower.current);
 
   const tellFaults = (faults: readonly LinkFault[]): void => {
     if (faults.length === 0) return;
     actions.notify('error', 'Parts of this link could not be used; the rest applies', linkFaultLines(faults));
   };
-  if (broken) tell('The list of species could not be read', broken);
+  if (index.error) tell('The list of species could not be read', index.error);
+  for (const error of broken) tell('A wind could not be read', error);
   tellFaults(first.faults);
   if (lessMotion && first.document.paused) session.setState({ hint: HINTS.still });
   else if (!preferences.visited && lack !== 'still') session.setState({ hint: HINTS.first });
@@ -182,5 +188,5 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
   }
   restart();
   // Without the list there is one message, not two; a species of the reader's own needs no list.
-  if (!broken || first.document.ownSpecies !== null) await grower.grow();
+  if (!index.error || first.document.ownSpecies !== null) await grower.grow();
 }

@@ -1,4 +1,4 @@
-/** Takes species files that are dropped anywhere on the page. */
+/** Takes files that are dropped anywhere on the page. */
 export function listenToDrops(onFile: (file: File) => void): void {
   const root = document.documentElement;
   const hasFile = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;

@@ -1,8 +1,11 @@
-import { ALL_LEVELS, type LinkDocument, roundDocument, type Theme } from '../core/link/link.ts';
-import { DEFAULT_WIND, presets } from '../core/wind/presets.ts';
+import { ALL_LEVELS, type LinkDocument, OVERLAYS, roundDocument, type Theme } from '../core/link/link.ts';
+import type { Wind } from '../core/wind/wind.ts';
+
+/** Id of the wind that a first visit feels. */
+export const FIRST_WIND = 'breeze';
 
 /** What a first visit sees: the aspen in a breeze, moving unless the reader's system asks for less motion. */
-export const firstDocument = (theme: Theme, paused: boolean): LinkDocument =>
+export const firstDocument = (theme: Theme, paused: boolean, breeze: Wind): LinkDocument =>
   roundDocument({
     species: 'quaking-aspen',
     ownSpecies: null,
@@ -15,7 +18,10 @@ export const firstDocument = (theme: Theme, paused: boolean): LinkDocument =>
     showLeaves: true,
     view: 'shaded',
     theme,
+    overlays: { ...OVERLAYS },
+    probe: null,
     blowing: true,
-    preset: DEFAULT_WIND,
-    wind: presets[DEFAULT_WIND]!,
+    preset: FIRST_WIND,
+    wind: breeze,
+    compare: null,
   });

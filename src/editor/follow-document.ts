@@ -1,14 +1,15 @@
 import type { LinkDocument } from '../core/link/link.ts';
 import type { Wind } from '../core/wind/wind.ts';
 import type { Clock } from '../view/clock.ts';
-import type { Picture } from '../view/picture/picture.ts';
 import type { Editor } from './editor.ts';
-
-/** Seconds that a change of the wind takes while time runs. */
-const FADE = 0.8;
+import { fadeOf } from './fade.ts';
 
 /** The wind that blows: none where it is switched off. */
-const blowingWind = (d: LinkDocument): Wind => (d.blowing ? d.wind : { ...d.wind, strength: 0 });
+const blowing = (d: LinkDocument, wind: Wind): Wind => (d.blowing ? wind : { ...wind, strength: 0 });
+
+/** What the picture draws beside A: nothing, or B. */
+const beside = (d: LinkDocument) =>
+  d.compare && { wind: blowing(d, d.compare.wind), layout: d.compare.layout, at: d.compare.at };
 
 /**
  * Hands every change of the document on to the picture, and nothing that did not change; then calls `onChange`.
@@ -17,16 +18,30 @@ const blowingWind = (d: LinkDocument): Wind => (d.blowing ? d.wind : { ...d.wind
  * gives. Returns what hands on the whole document as it is, the time included: for a document that came from a link.
  */
 export function followDocument(
-  { document }: Editor,
+  { document, session, picture, studio }: Editor,
   clock: Clock,
-  picture: Picture,
   onChange: (changed: { grow: boolean }) => void,
 ): () => void {
+  const overlays = (): void => {
+    const { overlays, probe } = document.getState();
+    const { highlight, throwing, handling } = session.getState();
+    const { open, place } = studio.store.getState();
+    // Whoever looks at the studio sees what it listens to, chosen or not.
+    const shown = open && place ? place.piece : probe;
+    picture.setOverlays({ ...overlays, probe: shown, highlight, throwing, handling });
+  };
   document.subscribe((now, before) => {
-    if (now.wind !== before.wind || now.blowing !== before.blowing || (now.paused && !before.paused)) {
-      picture.setWind(blowingWind(now), now.paused ? 0 : FADE);
+    const stopped = now.paused && !before.paused;
+    const switched = now.blowing !== before.blowing;
+    if (now.wind !== before.wind || switched || stopped) {
+      picture.setWind(blowing(now, now.wind), now.paused ? 0 : fadeOf(now.wind, before.wind));
+    }
+    if (now.compare !== before.compare || (now.compare && (switched || stopped))) {
+      const fade = now.compare && before.compare && !now.paused ? fadeOf(now.compare.wind, before.compare.wind) : 0;
+      picture.setCompare(beside(now), fade);
     }
     if (now.camera !== before.camera) picture.setCamera(now.camera);
+    if (now.overlays !== before.overlays || now.probe !== before.probe) overlays();
     if (now.view !== before.view || now.levelsShown !== before.levelsShown || now.showLeaves !== before.showLeaves) {
       picture.show(now);
     }
@@ -34,15 +49,28 @@ export function followDocument(
       grow: now.species !== before.species || now.ownSpecies !== before.ownSpecies || now.seed !== before.seed,
     });
   });
+  session.subscribe((now, before) => {
+    const same = (['highlight', 'throwing', 'handling'] as const).every((key) => now[key] === before[key]);
+    if (same) return;
+    overlays();
+    onChange({ grow: false });
+  });
+  studio.store.subscribe((now, before) => {
+    if (now.open === before.open && now.place === before.place) return;
+    overlays();
+    onChange({ grow: false });
+  });
   return () => {
     const now = document.getState();
     clock.seek(now.time);
     clock.rate = now.rate;
     if (now.paused) clock.pause();
     else clock.play();
-    picture.setWind(blowingWind(now), 0);
+    picture.setWind(blowing(now, now.wind), 0);
+    picture.setCompare(beside(now), 0);
     picture.setCamera(now.camera);
     picture.show(now);
+    overlays();
     onChange({ grow: false });
   };
 }

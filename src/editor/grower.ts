@@ -3,8 +3,9 @@ import type { Species } from '../core/species/species.ts';
 import { type GrownTree, type GrowProgress, growTree } from '../view/picture/grow-tree.ts';
 import type { Actions } from './actions.ts';
 import { type DocumentStore, watch } from './document-store.ts';
+import { FileError } from './file-error.ts';
 import type { SessionStore } from './session.ts';
-import { loadSpecies, readSpecies, SpeciesError } from './species-source.ts';
+import { loadSpecies, readSpecies } from './species-source.ts';
 
 type Wish = Pick<LinkDocument, 'species' | 'ownSpecies' | 'seed'>;
 
@@ -87,7 +88,7 @@ export class Grower {
       if (abort.signal.aborted) return;
       this.abort = null;
       this.session.setState({ growing: null });
-      if (error instanceof SpeciesError) this.actions.notify('error', error.message, error.lines);
+      if (error instanceof FileError) this.actions.notify('error', error.message, error.lines);
       else
         this.actions.notify('error', 'This tree could not be grown', [
           error instanceof Error ? error.message : String(error),
@@ -99,7 +100,7 @@ export class Grower {
   private async find(wish: Wish): Promise<Species> {
     if (wish.ownSpecies !== null) return readSpecies(wish.ownSpecies, 'The species in this link cannot be grown');
     const entry = this.session.getState().species.find((s) => s.id === wish.species);
-    if (!entry) throw new SpeciesError(`There is no species ${wish.species}`);
+    if (!entry) throw new FileError(`There is no species ${wish.species}`);
     return loadSpecies(entry);
   }
 

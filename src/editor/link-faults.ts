@@ -1,5 +1,5 @@
+import { oneLine } from '../core/file/one-line.ts';
 import type { LinkFault } from '../core/link/link.ts';
-import { oneLine } from '../core/species/one-line.ts';
 
 /** Faults that a message lists, and the letters of each: a link can hold a megabyte of nonsense. */
 const LISTED = 8;

@@ -2,6 +2,8 @@ import './styles/tokens.css';
 import './styles/layout.css';
 import './styles/controls.css';
 import './styles/parts.css';
+import './styles/time.css';
+import './styles/wind.css';
 import './styles/sheet.css';
 import { boot } from './boot.ts';
 

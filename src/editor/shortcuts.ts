@@ -16,6 +16,7 @@ export const shortcuts: readonly Shortcut[] = [
   { group: 'Time', keys: [key(' ', 'Space')], label: 'Play or pause', act: (e) => e.actions.toggle() },
   { group: 'Time', keys: [key('.')], label: 'One step on', act: (e) => e.actions.step(1) },
   { group: 'Time', keys: [key(',')], label: 'One step back', act: (e) => e.actions.step(-1) },
+  { group: 'Time', keys: [key('s')], label: 'Slow motion', act: (e) => e.actions.toggleSlow() },
   { group: 'Time', keys: [key('0')], label: 'Back to the start', act: (e) => e.actions.seek(0) },
   { group: 'Tree', keys: [key('d')], label: 'Another tree (dice)', act: (e) => e.actions.rollSeed() },
   {
@@ -35,6 +36,27 @@ export const shortcuts: readonly Shortcut[] = [
     label: 'Wind on or off',
     act: (e) => e.actions.setBlowing(!e.document.getState().blowing),
   },
+  { group: 'Wind', keys: [key('g')], label: 'Throw a gust from upwind', act: (e) => e.actions.throwGust() },
+  {
+    group: 'Wind',
+    keys: [key('t')],
+    label: 'Aim gusts: each click on the ground throws one',
+    act: (e) => e.actions.setThrowing(!e.session.getState().throwing),
+  },
+  {
+    group: 'Wind',
+    keys: [key('a')],
+    label: 'Arrows of the wind over the ground',
+    act: (e) => e.actions.setOverlays({ arrows: !e.document.getState().overlays.arrows }),
+  },
+  {
+    group: 'Wind',
+    keys: [key('h')],
+    label: 'The handle that turns the wind',
+    act: (e) => e.actions.setOverlays({ handle: !e.document.getState().overlays.handle }),
+  },
+  { group: 'Wind', keys: [key('delete', 'Del')], label: 'On the ruler: take the gust away' },
+  { group: 'View', keys: [key('escape', 'Esc')], label: 'Leave: aiming, a chosen gust' },
   { group: 'View', keys: [key('q')], label: 'Shaded', act: (e) => e.actions.setView('shaded') },
   { group: 'View', keys: [key('w')], label: 'Wireframe', act: (e) => e.actions.setView('wireframe') },
   {
@@ -68,9 +90,14 @@ function taken(target: EventTarget | null, pressed: string): boolean {
 /** Listens to the whole page; returns how to stop. */
 export function listenToKeys(editor: Editor): () => void {
   const onKey = (event: KeyboardEvent): void => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || !editor.preferences.shortcuts)
+    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
+    // A dialog and a menu close by themselves; what is left of Escape leaves the modes of the page, wherever the focus is.
+    if (event.key === 'Escape') {
+      const own = event.target instanceof HTMLElement && event.target.closest('dialog[open], :popover-open');
+      if (!own && editor.actions.leave()) event.preventDefault();
       return;
-    if (taken(event.target, event.key)) return;
+    }
+    if (!editor.preferences.shortcuts || taken(event.target, event.key)) return;
     const level = Number(event.key);
     if (level >= 1 && level <= 4) {
       const count = editor.session.getState().tree?.figures.levels ?? 3;

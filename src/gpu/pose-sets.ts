@@ -1,14 +1,7 @@
-import {
-  DataTexture,
-  FloatType,
-  NearestFilter,
-  RGBAFormat,
-  type Texture,
-  type TextureDataType,
-  WebGLRenderTarget,
-} from 'three';
+import { DataTexture, FloatType, RGBAFormat, type Texture, type WebGLRenderTarget } from 'three';
 import { POSE_TARGETS, TEXEL } from '../core/pack/layout.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
+import { floatTarget } from './float-target.ts';
 
 /**
  * What a shader needs to read the pose: hand these very objects to a material, they stay the same while a tree lives.
@@ -23,7 +16,8 @@ export interface PoseUniforms {
   readonly poseOdd: { value: Texture[] };
 }
 
-const COUNT = Object.keys(POSE_TARGETS).length;
+const NAMES = Object.keys(POSE_TARGETS);
+const COUNT = NAMES.length;
 
 /** Where pieces stand: two sets of render targets for the pass, or one set of textures that the CPU writes. */
 export interface PoseSets {
@@ -35,24 +29,15 @@ export interface PoseSets {
   dispose(): void;
 }
 
-const FORMAT = {
-  format: RGBAFormat,
-  type: FloatType as TextureDataType,
-  minFilter: NearestFilter, // float textures without OES_texture_float_linear sample as 0 under a linear filter
-  magFilter: NearestFilter,
-  generateMipmaps: false,
-};
-
 /** Two sets of four RGBA32F targets of the tree's size; empty until they are seeded. */
 export function targetSets(tree: PackedTree): PoseSets {
   const { width, height } = tree.restPose;
-  const make = (name: string) => {
-    const target = new WebGLRenderTarget(width, height, { ...FORMAT, count: COUNT, depthBuffer: false });
-    target.textures.forEach((texture, i) => {
-      texture.name = `${name} P${i}`;
-    });
-    return target;
-  };
+  const make = (name: string) =>
+    floatTarget(
+      width,
+      height,
+      NAMES.map((point) => `${name} ${point}`),
+    );
   const targets = [make('pose even'), make('pose odd')] as const;
   return {
     targets,

@@ -1,43 +1,74 @@
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
-import { POSE_TARGETS, TEXEL } from '../core/pack/layout.ts';
+import { STATE_TARGETS } from '../core/pack/layout.ts';
+import { uses } from '../core/wind/push.ts';
+import { BendTextures } from './bend-textures.ts';
 import { PassState } from './pass-state.ts';
-import type { Poser } from './poser.ts';
+import { PoseReader } from './pose-reader.ts';
+import type { Poser, ReadBack } from './poser.ts';
+import { rendererName } from './renderer-name.ts';
+import { bytesOfState, LEAN, SpringPass } from './spring-pass.ts';
+import { checkpointsFor, isSoftware, sliceFor } from './state-budget.ts';
+import { StateRun } from './state-run.ts';
+import { STEP, stepsAt } from './step.ts';
 import { type StepMaterials, stepMaterialsOf } from './step-materials.ts';
 import { type IndexRange, TexelDraw } from './texel-draw.ts';
 import { arrayTexture, type TreeTextures } from './tree-textures.ts';
 import type { WindSource } from './wind-source.ts';
 
-/** Seconds of a step of the lagged pose: the grid on which it is a pure function of time. */
-export const STEP = 1 / 60;
-
 /** The set that even depths are in. */
 const EVEN = 0;
 
+/** The springs of a tree, and which steps of theirs are run. */
+interface Springs {
+  readonly pass: SpringPass;
+  readonly run: StateRun;
+  /** Steps that one update makes at most. */
+  readonly slice: number;
+}
+
+/** What an update draws with. */
+interface Update {
+  readonly renderer: WebGLRenderer;
+  readonly materials: StepMaterials;
+  readonly time: number;
+  readonly source: WindSource;
+  /** null where no branch swings. */
+  readonly springs: Springs | null;
+}
+
 /**
  * Poses a tree on the GPU: force, bend and pose of every piece in one fragment pass with four RGBA32F targets
- * (Skjermo 2007, section 5).
+ * (Skjermo 2007, section 5); where branches are springs, their states in a pass of their own before it.
  *
  * `exact`: depth by depth, each into the set that the other depths' parity leaves alone, so that a parent is always this
  * time's. `lagged`, the paper: all pieces at once, parents from the step before; a jump in time runs depth + 1 steps up to it,
- * after which nothing of the former pose is left, so that the pose is the same however that time was reached.
+ * after which nothing of the former pose is left, so that the pose is the same however that time was reached. A far jump of
+ * springs takes some updates (`catchingUp`), and the pose stays meanwhile.
  */
 export class WindPass implements Poser {
   readonly #textures: TreeTextures;
   readonly #targets: readonly [WebGLRenderTarget, WebGLRenderTarget];
+  readonly #bend: BendTextures;
   readonly #draw: TexelDraw;
   readonly #state = new PassState();
   readonly #depths: number;
+  readonly #reader: PoseReader;
+  #springs: Springs | null = null;
   #seeded = false;
   /** What the pose was computed for; NaN where nothing was. */
   #time = Number.NaN;
   #revision = Number.NaN;
   #mode: WindSource['pose'] | null = null;
+  /** The step of the springs' state that the pose comes from, or the first of two. */
+  #first = Number.NaN;
   /** The lagged pose: the set that holds it, and the number of its step. */
   #current = EVEN;
   #stepNumber = Number.NaN;
   #canvas: WebGLRenderer['domElement'] | null = null;
+  #software = false;
   readonly #forget = () => {
     this.#seeded = false;
+    this.#springs?.run.forget();
   };
 
   /** `textures` must have targets, that is be made for a GPU that can draw into them. */
@@ -46,59 +77,71 @@ export class WindPass implements Poser {
     this.#textures = textures;
     this.#targets = textures.pose.targets;
     const { tree } = textures;
+    this.#bend = new BendTextures(tree);
+    this.#reader = new PoseReader(textures, this.#targets);
     this.#depths = tree.depthStart.length - 1;
     const ranges: IndexRange[] = Array.from({ length: this.#depths }, (_, d) => [
       tree.depthStart[d],
       tree.depthStart[d + 1],
     ]);
-    // After the depths: all pieces, for the lagged pose and to seed.
+    // After the depths: all pieces, for springs, for the lagged pose, and to seed.
     this.#draw = new TexelDraw(tree.pieces.width, tree.pieces.height, [...ranges, [0, tree.pieceCount]]);
   }
 
-  /** Poses the tree as of `time` seconds. Changes no setting of `renderer` and allocates nothing. */
+  get catchingUp(): number | null {
+    return this.#springs?.run.catchingUp ?? null;
+  }
+
+  get bytes(): number {
+    return this.#bend.bytes + (this.#springs?.pass.bytes ?? 0);
+  }
+
+  /** Poses the tree as of `time` seconds, or comes nearer to it. Changes no setting of `renderer`. */
   update(renderer: WebGLRenderer, time: number, source: WindSource): void {
     if (renderer.getContext().isContextLost()) return;
     this.#listen(renderer);
     const { pose, revision } = source;
-    if (this.#seeded && time === this.#time && revision === this.#revision && pose === this.#mode) return;
+    const same = this.#seeded && time === this.#time && revision === this.#revision && pose === this.#mode;
+    if (same && this.catchingUp === null) return;
     this.#state.begin(renderer);
     const materials = stepMaterialsOf(renderer);
     if (!this.#seeded) this.#seed(renderer, materials);
     materials.uniforms.pieces.value = this.#textures.pieces;
     materials.uniforms.log2Width.value = Math.log2(this.#textures.pieces.image.width);
-    if (pose === 'lagged') this.#lagged(renderer, materials, time, source);
-    else this.#exact(renderer, materials, time, source);
+    source.fill(time, materials.wind);
+    const springs = uses(materials.wind, 'spring') ? this.#springsFor(renderer, materials, source) : null;
+    if (!springs) this.#springs?.run.rest();
+    const now: Update = { renderer, materials, time, source, springs };
+    const done = pose === 'lagged' ? this.#lagged(now) : this.#exact(now);
     this.#state.end(renderer);
+    if (!done) return;
     this.#time = time;
-    this.#revision = revision;
+    this.#revision = source.revision;
     this.#mode = pose;
   }
 
-  /** The pose as last computed, laid out as `PackedTree.restPose.data`; slow: for checks and exports. */
   read(renderer: WebGLRenderer, out = new Float32Array(this.#textures.tree.restPose.data.length)): Float32Array {
-    const { width, height } = this.#textures.tree.restPose;
-    const floats = width * height * TEXEL;
-    const { poseEven, poseOdd } = this.#textures.uniforms;
-    const set = (textures: unknown) => (textures === this.#targets[0].textures[0] ? 0 : 1);
-    const even = set(poseEven.value[0]);
-    const odd = set(poseOdd.value[0]);
-    const other = even === odd ? null : new Float32Array(floats);
-    for (const target of Object.values(POSE_TARGETS)) {
-      const layer = out.subarray(target * floats, (target + 1) * floats);
-      renderer.readRenderTargetPixels(this.#targets[even], 0, 0, width, height, layer, undefined, target);
-      if (!other) continue;
-      renderer.readRenderTargetPixels(this.#targets[odd], 0, 0, width, height, other, undefined, target);
-      const { depthStart } = this.#textures.tree;
-      for (let d = 1; d < this.#depths; d += 2) {
-        const [start, end] = [TEXEL * depthStart[d], TEXEL * depthStart[d + 1]];
-        layer.set(other.subarray(start, end), start);
-      }
-    }
-    return out;
+    return this.#reader.read(renderer, out);
+  }
+
+  readState(renderer: WebGLRenderer): Float32Array | null {
+    const set = this.#shownState();
+    return set && this.#reader.readState(renderer, set);
+  }
+
+  readBack(renderer: WebGLRenderer): Promise<ReadBack | null> {
+    return this.#reader.readBack(renderer, this.#shownState());
+  }
+
+  readPiece(renderer: WebGLRenderer, piece: number): Promise<Float32Array | null> {
+    return this.#reader.readPiece(renderer, piece);
   }
 
   dispose(): void {
     this.#canvas?.removeEventListener('webglcontextrestored', this.#forget);
+    this.#springs?.pass.dispose();
+    this.#springs = null;
+    this.#bend.dispose();
     this.#draw.dispose();
   }
 
@@ -108,7 +151,8 @@ export class WindPass implements Poser {
     this.#canvas?.removeEventListener('webglcontextrestored', this.#forget);
     this.#canvas = renderer.domElement;
     this.#canvas.addEventListener('webglcontextrestored', this.#forget);
-    this.#seeded = false; // another renderer has targets of its own
+    this.#software = isSoftware(rendererName(renderer));
+    this.#forget(); // another renderer has targets of its own
   }
 
   /** Rest pose into both sets: a root's place is read from the set that is not written. The texture goes again at once. */
@@ -122,32 +166,105 @@ export class WindPass implements Poser {
     this.#mode = null;
   }
 
-  #exact(renderer: WebGLRenderer, materials: StepMaterials, time: number, source: WindSource): void {
-    source.fill(time, materials.wind);
-    for (let depth = 0; depth < this.#depths; depth++) this.#write(renderer, materials, depth & 1, depth);
-    this.#show(0, 1);
+  #springsFor(renderer: WebGLRenderer, materials: StepMaterials, source: WindSource): Springs {
+    if (!this.#springs) {
+      const { pieceCount, pieces } = this.#textures.tree;
+      const pass = new SpringPass(this.#bend, this.#draw, this.#depths, pieces.width, pieces.height);
+      const slice = sliceFor(pieceCount, this.#software);
+      const kept = checkpointsFor(bytesOfState(pieces.width, pieces.height));
+      this.#springs = { pass, run: new StateRun(pass, kept, slice), slice };
+    }
+    this.#springs.pass.use({ renderer, materials, source });
+    return this.#springs;
   }
 
-  #lagged(renderer: WebGLRenderer, materials: StepMaterials, time: number, source: WindSource): void {
-    const wanted = Math.round(time / STEP);
+  #exact(now: Update): boolean {
+    const { springs, time, source } = now;
+    if (springs) {
+      const { first, last, fraction } = stepsAt(time);
+      this.#standIn(now, first);
+      if (!springs.run.reach(first, last, source)) return false;
+      this.#bindSprings(now, first, fraction);
+    }
+    this.#poseByDepth(now);
+    return true;
+  }
+
+  #lagged(now: Update): boolean {
+    const { springs, time, source } = now;
+    const wanted = springs ? Math.max(0, Math.round(time / STEP)) : Math.round(time / STEP);
     // An edit while playing goes on from the pose there is; one while paused is shown as if it had always blown so.
     const ahead = wanted - this.#stepNumber;
     const follows = this.#mode === 'lagged' && ahead > 0 && ahead < this.#depths;
     // A piece of depth d looks back d steps, so the first of D + 1 steps may start from any pose.
-    let step = follows ? this.#stepNumber + 1 : wanted - this.#depths + 1;
-    for (; step <= wanted; step++) {
-      source.fill(step * STEP, materials.wind);
-      this.#current = 1 - this.#current;
-      this.#write(renderer, materials, this.#current, this.#depths);
+    const from = follows ? this.#stepNumber + 1 : wanted - this.#depths + 1;
+    if (springs) {
+      const first = Math.max(0, from);
+      this.#standIn(now, first);
+      const visit = (step: number) => {
+        this.#bindSprings(now, step, 0);
+        // Before step 0 the springs were as they are then.
+        for (let n = step === first ? from : first; n <= first; n++) this.#poseAtOnce(now, step);
+      };
+      if (!springs.run.reach(first, wanted, source, visit)) return false;
+    } else {
+      for (let step = from; step <= wanted; step++) this.#poseAtOnce(now, step);
     }
     this.#show(this.#current, this.#current);
     this.#stepNumber = wanted;
+    return true;
+  }
+
+  /** Before there is any pose, and where the springs have a long way to run: the tree as if the wind of the moment had always blown. */
+  #standIn(now: Update, step: number): void {
+    const { springs } = now;
+    if (!springs || this.#mode !== null || step <= springs.slice || !Number.isNaN(springs.run.latest)) return;
+    springs.pass.begin(step);
+    this.#bindSprings(now, step, 0);
+    this.#poseByDepth(now);
+    this.#mode = 'exact';
+    this.#time = Number.NaN;
+  }
+
+  /** Points the pose at the states of a step and of the next, `fraction` of the way between them. */
+  #bindSprings({ springs, materials }: Update, step: number, fraction: number): void {
+    if (!springs) return;
+    const { run, pass } = springs;
+    const { uniforms } = materials;
+    this.#first = step;
+    const before = step < run.latest && run.has(step);
+    const first = (before ? pass.previous : pass.latest).textures;
+    const second = (before && fraction === 0 ? pass.previous : pass.latest).textures;
+    uniforms.springQ.value[0] = first[STATE_TARGETS.Q];
+    uniforms.springQ.value[1] = second[STATE_TARGETS.Q];
+    uniforms.springLean.value[0] = first[LEAN];
+    uniforms.springLean.value[1] = second[LEAN];
+    uniforms.springFraction.value = fraction;
+  }
+
+  #poseByDepth(now: Update): void {
+    this.#fill(now, now.time);
+    for (let depth = 0; depth < this.#depths; depth++) this.#write(now, depth & 1, depth);
+    this.#show(0, 1);
+  }
+
+  #poseAtOnce(now: Update, step: number): void {
+    this.#fill(now, step * STEP);
+    this.#current = 1 - this.#current;
+    this.#write(now, this.#current, this.#depths);
+  }
+
+  #fill({ materials, source }: Update, time: number): void {
+    const { wind, uniforms } = materials;
+    source.fill(time, wind);
+    materials.take();
+    if (uses(wind, 'sway')) uniforms.sways.value = this.#bend.sways(wind);
   }
 
   /** Draws a range into a set, reading the other one. */
-  #write(renderer: WebGLRenderer, materials: StepMaterials, set: number, range: number): void {
+  #write({ renderer, materials }: Update, set: number, range: number): void {
     materials.uniforms.parentPose.value = this.#targets[1 - set].textures;
-    this.#draw.draw(renderer, this.#targets[set], materials.material(renderer), range);
+    this.#draw.draw(renderer, this.#targets[set], materials.material(renderer, 'pose'), range);
   }
 
   /** Points the deformer's uniforms at the sets that even and odd depths are in. */
@@ -157,5 +274,12 @@ export class WindPass implements Poser {
       poseEven.value[i] = this.#targets[even].textures[i];
       poseOdd.value[i] = this.#targets[odd].textures[i];
     }
+  }
+
+  /** The set of the state that the pose comes from; null where no branch swings. */
+  #shownState(): WebGLRenderTarget | null {
+    if (!this.#springs || Number.isNaN(this.#springs.run.latest)) return null;
+    const { run, pass } = this.#springs;
+    return this.#first < run.latest && run.has(this.#first) ? pass.previous : pass.latest;
   }
 }

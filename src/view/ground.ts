@@ -1,5 +1,7 @@
-import { CircleGeometry, Color, Mesh, MeshLambertMaterial, Vector4 } from 'three';
+import { BufferAttribute, BufferGeometry, Color, Mesh, MeshLambertMaterial, Vector4 } from 'three';
+import fieldGlsl from '../../shaders/stage/field.glsl';
 import groundGlsl from '../../shaders/stage/ground.glsl';
+import type { ForceField } from './force-field.ts';
 import { inject } from './inject.ts';
 import type { StageLook } from './stage-look.ts';
 import { grassTexture } from './stage-textures.ts';
@@ -7,12 +9,20 @@ import { grassTexture } from './stage-textures.ts';
 /** Where three's Lambert material takes the ground's own colour, its shelter under the tree, and its fading into the sky. */
 export const GROUND_INJECTION = {
   vertex: [
-    { anchor: '#include <common>', after: 'out vec3 vGround;' },
-    { anchor: '#include <begin_vertex>', after: 'vGround = (modelMatrix * vec4(position, 1.0)).xyz;' },
+    { anchor: '#include <common>', after: `${fieldGlsl}\nout vec3 vGround;\nout float vLaid;` },
+    {
+      anchor: '#include <begin_vertex>',
+      // Grass that the wind lays over shows its pale side: gusts run over a meadow as waves of light.
+      after: `vGround = (modelMatrix * vec4(position, 1.0)).xyz;
+vLaid = 1.0 - exp(-6.0 * length(fieldForce(vec2(vGround.x, -vGround.z))));`,
+    },
   ],
   fragment: [
-    { anchor: '#include <common>', after: groundGlsl },
-    { anchor: '#include <map_fragment>', after: 'diffuseColor.rgb *= groundDiffuse();' },
+    { anchor: '#include <common>', after: `${groundGlsl}\nin float vLaid;` },
+    {
+      anchor: '#include <map_fragment>',
+      after: 'diffuseColor.rgb *= groundDiffuse(); diffuseColor.rgb *= 1.0 + 0.22 * vLaid;',
+    },
     { anchor: '#include <aomap_fragment>', after: 'reflectedLight.indirectDiffuse *= groundSky();' },
     {
       // After fog, where colours are those of the screen already, as the sky's are.
@@ -22,8 +32,36 @@ export const GROUND_INJECTION = {
   ],
 } as const;
 
+/** Rings and sectors of the disc: fine enough near the tree to carry the waves that the wind makes. */
+const RINGS = 36;
+const SECTORS = 72;
+
+/** A unit disc in x and y, its rings closer the nearer they are to the middle. */
+function disc(): BufferGeometry {
+  const position: number[] = [0, 0, 0];
+  const normal: number[] = [0, 0, 1];
+  const index: number[] = [];
+  for (let ring = 1; ring <= RINGS; ring++) {
+    const radius = (ring / RINGS) ** 1.8;
+    for (let i = 0; i < SECTORS; i++) {
+      const angle = (i * 2 * Math.PI) / SECTORS;
+      position.push(radius * Math.cos(angle), radius * Math.sin(angle), 0);
+      normal.push(0, 0, 1);
+      const here = 1 + (ring - 1) * SECTORS + i;
+      const next = 1 + (ring - 1) * SECTORS + ((i + 1) % SECTORS);
+      if (ring === 1) index.push(0, here, next);
+      else index.push(here - SECTORS, here, next, here - SECTORS, next, next - SECTORS);
+    }
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(position), 3));
+  geometry.setAttribute('normal', new BufferAttribute(new Float32Array(normal), 3));
+  geometry.setIndex(index);
+  return geometry;
+}
+
 /** A disc of meadow that takes the tree's shadow and fades into the horizon. Lambert: a full screen of it must stay cheap. */
-export class Ground extends Mesh<CircleGeometry, MeshLambertMaterial> {
+export class Ground extends Mesh<BufferGeometry, MeshLambertMaterial> {
   /** The meadow's grass takes these as well. */
   readonly uniforms = {
     grassMap: { value: grassTexture() },
@@ -36,10 +74,12 @@ export class Ground extends Mesh<CircleGeometry, MeshLambertMaterial> {
 
   #reach = 10;
 
-  constructor() {
+  /** `field`: the wind that runs over it. */
+  constructor(field: ForceField) {
     const material = new MeshLambertMaterial();
-    super(new CircleGeometry(1, 64), material);
-    inject(material, 'windgrove ground', GROUND_INJECTION, this.uniforms);
+    super(disc(), material);
+    field.dress(material);
+    inject(material, 'windgrove ground', GROUND_INJECTION, { ...this.uniforms, ...field.uniforms });
     this.rotation.x = -Math.PI / 2;
     this.receiveShadow = true;
     this.name = 'ground';

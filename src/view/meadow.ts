@@ -2,6 +2,7 @@ import { BufferAttribute, BufferGeometry, type Camera, DoubleSide, Mesh, MeshLam
 import grassGlsl from '../../shaders/stage/grass.glsl';
 import groundGlsl from '../../shaders/stage/ground.glsl';
 import { hashPcg, hashUnit } from '../core/math/hash.ts';
+import type { ForceField } from './force-field.ts';
 import type { Ground } from './ground.ts';
 import { inject } from './inject.ts';
 
@@ -26,15 +27,15 @@ export const GRASS_INJECTION = {
     {
       anchor: '#include <begin_vertex>',
       instead: `vec3 transformed = grassPoint();
-vGround = (modelMatrix * vec4(transformed, 1.0)).xyz;
-vBlade = vec2(position.y > 0.0 ? 1.0 : 0.0, normal.z);`,
+vGround = (modelMatrix * vec4(transformed, 1.0)).xyz;`,
     },
   ],
   fragment: [
-    { anchor: '#include <common>', after: `${groundGlsl}\nin vec2 vBlade;` },
+    { anchor: '#include <common>', after: `${groundGlsl}\nin vec3 vBlade;` },
     {
       anchor: '#include <map_fragment>',
-      after: 'diffuseColor.rgb *= mix(groundDiffuse() * 0.82, grassLight * (0.8 + 0.45 * vBlade.y), vBlade.x * 0.7);',
+      after:
+        'diffuseColor.rgb *= mix(groundDiffuse() * 0.82, grassLight * (0.8 + 0.45 * vBlade.y + 0.3 * vBlade.z), vBlade.x * 0.7);',
     },
     // Both sides of a blade are lit as the ground under it is.
     { anchor: '#include <normal_fragment_begin>', after: 'normal *= faceDirection;' },
@@ -92,12 +93,15 @@ export class Meadow extends Mesh<BufferGeometry, MeshLambertMaterial> {
   /** Middle of the square before the eye, and half its side as a power of two. */
   readonly #square = { value: new Vector3(0, 0, 3) };
 
-  constructor(ground: Ground) {
+  /** `field`: the wind that lays the grass over. */
+  constructor(ground: Ground, field: ForceField) {
     const material = new MeshLambertMaterial();
     super(blades(), material);
+    field.dress(material);
     material.side = DoubleSide; // a blade has no back
     inject(material, 'windgrove grass', GRASS_INJECTION, {
       ...ground.uniforms,
+      ...field.uniforms,
       grassSquare: this.#square,
     });
     this.name = 'meadow';

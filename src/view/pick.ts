@@ -24,39 +24,70 @@ function bezier(u: number, out: Vector3): Vector3 {
     .addScaledVector(corner[3], u * u * u);
 }
 
+/** Where a ray meets a branch, and which piece. */
+export interface Picked {
+  readonly point: Vector3;
+  readonly piece: number;
+}
+
+/** How a ray picks. */
+export interface Picking {
+  /** Places of the draw order that count. */
+  readonly places: number;
+  /** Laid out as `PackedTree.restPose.data`; the rest pose by default. */
+  readonly pose?: Float32Array;
+  /** Where no branch is hit, how far beside the ray one may be, in metres a metre of distance; 0 by default. */
+  readonly near?: number;
+}
+
 /**
- * Where a ray in tree space first meets a branch at rest, within the first `places` of the draw order, or null.
+ * Where a ray in tree space first meets a branch, or the branch that it passes closest by, or null.
  *
- * The pose of the moment lives on the GPU; a branch is seldom farther from its rest than the pointer is from it.
+ * The pose of the moment lives on the GPU; one that is not at hand is seldom farther from its rest than the pointer is from it.
  */
-export function pickBranch(tree: PackedTree, ray: Ray, places: number): { point: Vector3; piece: number } | null {
+export function pickBranch(
+  tree: PackedTree,
+  ray: Ray,
+  { places, pose = tree.restPose.data, near = 0 }: Picking,
+): Picked | null {
   const { branches, restPose } = tree;
   const plane = restPose.width * restPose.height * TEXEL;
   const span = BRANCH_LAYERS.SPAN * branches.width * branches.height * TEXEL;
+  // What is hit is rated by its distance, what is missed, after all that is hit, by how far beside the ray it is seen.
   let best = Number.POSITIVE_INFINITY;
-  let found: { point: Vector3; piece: number } | null = null;
+  let hit = false;
+  let found: Picked | null = null;
   for (let i = 0; i < places; i++) {
     const t = span + i * TEXEL;
     const piece = branches.data[t] as number;
     const z0 = branches.data[t + 1] as number;
     const z1 = branches.data[t + 2] as number;
     const base = branches.data[t + 3] as number;
-    for (let k = 0; k < 4; k++) (corner[k] as Vector3).fromArray(restPose.data, k * plane + piece * TEXEL);
+    for (let k = 0; k < 4; k++) (corner[k] as Vector3).fromArray(pose, k * plane + piece * TEXEL);
     // A sphere around the control polygon's ends rules most pieces out.
     a.addVectors(corner[0], corner[3]).multiplyScalar(0.5);
-    const reach = Math.max(a.distanceTo(corner[0]), a.distanceTo(corner[1]), a.distanceTo(corner[2])) + base + SLACK;
+    const slack = SLACK + near * a.distanceTo(ray.origin);
+    const reach = Math.max(a.distanceTo(corner[0]), a.distanceTo(corner[1]), a.distanceTo(corner[2])) + base + slack;
     if (ray.distanceSqToPoint(a) > reach * reach) continue;
     bezier(0, a);
     for (let part = 1; part <= PARTS; part++) {
       bezier(part / PARTS, b);
       const radius = base * (1 - (z0 + ((z1 - z0) * (part - 0.5)) / PARTS)) + SLACK;
       const apart = ray.distanceSqToSegment(a, b, onRay, onPart);
+      const away = onRay.distanceTo(ray.origin);
       if (apart < radius * radius) {
         // The ray enters the round branch this far before the point where it comes nearest to the axis.
-        const distance = Math.max(0, onRay.distanceTo(ray.origin) - Math.sqrt(radius * radius - apart));
-        if (distance < best) {
+        const distance = Math.max(0, away - Math.sqrt(radius * radius - apart));
+        if (!hit || distance < best) {
+          hit = true;
           best = distance;
           found = { point: ray.at(distance, new Vector3()), piece };
+        }
+      } else if (!hit && near > 0) {
+        const beside = (Math.sqrt(apart) - radius) / Math.max(away, 1e-3);
+        if (beside < near && beside < best) {
+          best = beside;
+          found = { point: onPart.clone(), piece };
         }
       }
       a.copy(b);

@@ -10,6 +10,8 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { WindSource } from '../gpu/wind-source.ts';
+import { ForceField } from './force-field.ts';
 import { type Framing, frameTree } from './framing.ts';
 import { Ground } from './ground.ts';
 import { Meadow } from './meadow.ts';
@@ -38,6 +40,15 @@ export interface StageOptions {
   preserveDrawingBuffer?: boolean;
 }
 
+/** A part of the picture that is drawn by itself: its left edge and width in CSS pixels, and how far the view's middle is moved right. */
+export interface StagePane {
+  readonly left: number;
+  readonly width: number;
+  readonly shift: number;
+  /** Called before it is drawn: shows what belongs there. */
+  readonly before: () => void;
+}
+
 const NO_INSETS: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
 
 /** Vertical field of view in degrees, the feel of a 50 mm lens. */
@@ -45,6 +56,9 @@ const FOV = 30;
 
 /** A quarter to the side of the sun, so that crowns have a lit and a shaded side. */
 const AZIMUTH = 0.2;
+
+/** How far the camera goes away, in reaches of the tree. */
+const FARTHEST = 9;
 
 /** Least height of the eye above the meadow in metres, and what it gains with the distance beyond that of a whole tree. */
 const LOWEST = 0.15;
@@ -59,8 +73,10 @@ export class Stage {
   readonly sun: Sun;
   readonly hemisphere = new HemisphereLight();
   readonly sky = new Sky();
-  readonly ground = new Ground();
-  readonly meadow = new Meadow(this.ground);
+  /** The wind over the meadow: `blow` fills it. */
+  readonly field = new ForceField();
+  readonly ground = new Ground(this.field);
+  readonly meadow = new Meadow(this.ground, this.field);
   readonly #box = new Box3(new Vector3(-2, 0, -2), new Vector3(2, 6, 2));
   #skyLight: SkyLight | null = null;
   #reach = 6;
@@ -140,25 +156,36 @@ export class Stage {
     this.sun.fit(box);
     const reach = Math.max(size.y, crown * 2, 2);
     this.controls.minDistance = 0.02 * reach;
-    this.controls.maxDistance = 6 * reach;
+    this.controls.maxDistance = FARTHEST * reach;
     this.camera.near = 0.004 * reach;
     this.camera.far = 40 * reach;
     this.camera.updateProjectionMatrix();
   }
 
-  /** Shows the whole of a box in metres, y up, in a window of any shape. */
-  frame(box: Box3, azimuth = AZIMUTH): Framing {
+  /** Shows the whole of a box in metres, y up, in a window of any shape, or in each of `columns` equal parts of it. */
+  frame(box: Box3, { azimuth = AZIMUTH, columns = 1 }: { azimuth?: number; columns?: number } = {}): Framing {
     this.setSubject(box);
     const { top, right, bottom, left } = this.#insets;
     const clear = Math.max(1, this.#height - top - bottom);
     // The insets shift the middle of the view; what is left of the window has a narrower field of view.
     const part = clear / this.#height;
     const fov = (2 * Math.atan(Math.tan((FOV * Math.PI) / 360) * part) * 180) / Math.PI;
-    const framing = frameTree(box, fov, Math.max(1, this.#width - left - right) / clear, azimuth);
+    const wide = Math.max(1, (this.#width - left - right) / columns);
+    const framing = frameTree(box, fov, wide / clear, azimuth);
+    // A low window, or one of two columns, has the whole tree from very far.
+    const distance = framing.position.distanceTo(framing.target);
+    this.controls.maxDistance = Math.max(this.controls.maxDistance, 1.1 * distance);
     this.camera.position.copy(framing.position);
     this.controls.target.copy(framing.target);
     this.controls.update();
     return framing;
+  }
+
+  /** Lets a wind run over the meadow from the next rendering on, as it is at `time` seconds; none does before. */
+  blow(source: WindSource, time: number): void {
+    this.field.take(source, time);
+    this.field.dress(this.ground.material);
+    this.field.dress(this.meadow.material);
   }
 
   /** The camera still moves by itself: draw again. */
@@ -166,8 +193,8 @@ export class Stage {
     return this.#settling > 0;
   }
 
-  /** Draws. `shadows`: what casts them has moved since the last time. */
-  render(shadows = true): void {
+  /** Draws, the whole picture or its panes. `shadows`: what casts them has moved since the last time. */
+  render(shadows = true, panes: readonly StagePane[] = []): void {
     const { camera, controls, renderer } = this;
     if (this.#settling > 0) this.#settling--;
     // Never below the meadow, and from afar well above it, or its far end would be a line: the lowest polar angle depends on
@@ -180,8 +207,43 @@ export class Stage {
     const away = Math.hypot(camera.position.x, camera.position.z);
     this.ground.see(away);
     this.meadow.see(camera);
-    renderer.shadowMap.needsUpdate ||= shadows;
-    renderer.render(this.scene, camera);
+    if (panes.length < 2) {
+      panes[0]?.before();
+      renderer.shadowMap.needsUpdate ||= shadows;
+      renderer.render(this.scene, camera);
+      return;
+    }
+    const { info } = renderer;
+    info.reset();
+    info.autoReset = false; // the figures are those of the whole picture
+    renderer.setScissorTest(true);
+    for (const { left, width, shift, before } of panes) {
+      if (width <= 0) continue;
+      before();
+      this.#applyInsets(shift);
+      renderer.setScissor(left, 0, width, this.#height);
+      // The same map serves one pane after the other: what casts the shadows is not the same in both.
+      renderer.shadowMap.needsUpdate = true;
+      renderer.render(this.scene, camera);
+    }
+    this.#divide(panes[1]?.left ?? 0);
+    renderer.setScissorTest(false);
+    info.autoReset = true;
+    this.#applyInsets();
+  }
+
+  /** A line between two panes: dark within light, so that it shows on sky and leaves alike. */
+  #divide(x: number): void {
+    const { renderer } = this;
+    if (x <= 0 || x >= this.#width) return;
+    for (const [colour, half] of [
+      ['#fbfaf6', 1.5],
+      ['#1d2021', 0.5],
+    ] as const) {
+      renderer.setScissor(x - half, 0, 2 * half, this.#height);
+      renderer.setClearColor(colour, 1);
+      renderer.clear(true, false, false);
+    }
   }
 
   dispose(): void {
@@ -190,19 +252,21 @@ export class Stage {
     this.#skyLight?.dispose();
     this.ground.dispose();
     this.meadow.dispose();
+    this.field.dispose();
     this.sun.dispose();
     this.renderer.dispose();
   }
 
-  #applyInsets(): void {
+  /** `shift`: how far right of the middle of what is clear the middle of the view lies, CSS pixels. */
+  #applyInsets(shift = 0): void {
     const { top, right, bottom, left } = this.#insets;
     const { camera } = this;
     camera.aspect = this.#width / this.#height;
-    if (top || right || bottom || left) {
+    if (top || right || bottom || left || shift) {
       camera.setViewOffset(
         this.#width,
         this.#height,
-        (right - left) / 2,
+        (right - left) / 2 - shift,
         (bottom - top) / 2,
         this.#width,
         this.#height,

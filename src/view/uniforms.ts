@@ -41,6 +41,7 @@ export function leafUniforms() {
     leafRange: { value: new Vector2() },
     leafSize: { value: new Vector2(1, 1) },
     leafFlutter: { value: new Vector2() },
+    leafWind: { value: new Vector2() },
     crownRounding: { value: 0.5 },
     leafColour: { value: new Color() },
     leafUnder: { value: new Color() },

@@ -2,16 +2,14 @@ import { type Intersection, Matrix4, Object3D, Ray, type Raycaster, Vector2, typ
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
 import type { Wind } from '../core/wind/wind.ts';
-import { capabilitiesOf } from '../gpu/capabilities.ts';
-import { CpuPoser } from '../gpu/cpu-poser.ts';
-import type { Poser } from '../gpu/poser.ts';
-import { TreeTextures } from '../gpu/tree-textures.ts';
-import { WindPass } from '../gpu/wind-pass.ts';
+import type { ReadBack } from '../gpu/poser.ts';
+import type { WindSource } from '../gpu/wind-source.ts';
 import { type Detail, LEAF_BUDGET } from './detail.ts';
-import { FeltWind } from './felt-wind.ts';
 import { pickBranch, pickCrown } from './pick.ts';
 import { windBox } from './tree-extent.ts';
 import { type Mode, TreeParts } from './tree-parts.ts';
+import type { SharedUniforms } from './uniforms.ts';
+import { WindLane } from './wind-lane.ts';
 
 export type { Mode } from './tree-parts.ts';
 
@@ -23,6 +21,9 @@ export interface WindTreeOptions {
   leafBudget?: number;
 }
 
+/** Which of two winds on the same tree: A is its own, B the one that it is compared with. */
+export type Which = 'A' | 'B';
+
 /**
  * A tree in the wind, at home in any three.js scene: standard lights, shadows, fog, environment maps, clipping.
  *
@@ -32,11 +33,10 @@ export interface WindTreeOptions {
 export class WindTree extends Object3D {
   readonly isWindTree = true;
   readonly #parts: TreeParts;
-  readonly #felt = new FeltWind();
+  readonly #a = new WindLane();
+  #b: WindLane | null = null;
   #tree: PackedTree | null = null;
   #species: Species | null = null;
-  #textures: TreeTextures | null = null;
-  #poser: Poser | null = null;
   #time = 0;
   #leaves: boolean | 'auto' = 'auto';
   #levels = Number.POSITIVE_INFINITY;
@@ -56,17 +56,56 @@ export class WindTree extends Object3D {
     this.#tree = packed;
     this.#species = species;
     this.#parts.setTree(packed, species);
-    this.#show();
+    this.#applyShown();
   }
 
   /** Lets a wind blow, fading over from the last one in `fade` seconds of the clock (default: at once). */
   setWind(wind: Wind, { fade = 0 }: { fade?: number } = {}): void {
-    this.#felt.set(wind, this.#time, fade);
+    this.#a.felt.set(wind, this.#time, fade);
   }
 
   /** The wind that blows or is fading in. */
   get wind(): Wind {
-    return this.#felt.wind;
+    return this.#a.felt.wind;
+  }
+
+  /**
+   * Poses the tree in a second wind, B, as well: `show('B')` before a rendering draws it, `show('A')` goes back. It shares all but the
+   * pose with A. null: A alone, and B costs nothing. `fade` as in `setWind`.
+   */
+  compareWith(wind: Wind | null, { fade = 0 }: { fade?: number } = {}): void {
+    if (!wind) {
+      this.#b?.drop();
+      this.#b = null;
+      return;
+    }
+    this.#b ??= new WindLane();
+    this.#b.felt.set(wind, this.#time, fade);
+  }
+
+  /** Draws the tree in wind A or B from now on, as `update` has posed it; A where there is no B. */
+  show(which: Which): void {
+    const lane = this.#lane(which);
+    const species = this.#species;
+    if (!lane.textures || !species) return;
+    const { shared, leafLook } = this.#parts;
+    shared.poseEven.value = lane.textures.uniforms.poseEven.value;
+    shared.poseOdd.value = lane.textures.uniforms.poseOdd.value;
+    this.#parts.setPaper(lane.felt.wind.paper);
+    // Every leaf beats a whole number of times in sixteen beats, so this may wrap (shaders/leaf/swing.glsl).
+    const beats = (this.#time * species.wind.flutterRate) / 16;
+    leafLook.leafFlutter.value.y = beats - Math.floor(beats);
+    leafLook.leafWind.value.copy(lane.way);
+  }
+
+  /** The wind that the tree feels, as a pass takes it. */
+  windSource(which: Which = 'A'): WindSource {
+    return this.#lane(which).felt;
+  }
+
+  /** What shaders need that read the pose of what is shown: the objects stay, their values change. */
+  get poseUniforms(): Pick<SharedUniforms, 'poseEven' | 'poseOdd' | 'poseLog2Width'> {
+    return this.#parts.shared;
   }
 
   /** Poses the tree as of `time` seconds: runs the wind pass, or the CPU reference where the GPU lacks float targets. */
@@ -74,17 +113,13 @@ export class WindTree extends Object3D {
     const species = this.#species;
     if (!this.#tree || !species) return;
     this.#time = time;
-    const { textures, poser } = this.#prepare(renderer, this.#tree);
     this.updateWorldMatrix(true, false);
-    this.#felt.moveTo(this.matrixWorld);
-    poser.update(renderer, time, this.#felt);
-    const { shared, leafLook } = this.#parts;
-    shared.poseEven.value = textures.uniforms.poseEven.value;
-    shared.poseOdd.value = textures.uniforms.poseOdd.value;
-    this.#parts.setPaper(this.#felt.wind.paper);
-    // Every leaf beats a whole number of times in sixteen beats, so this may wrap (shaders/leaf/vertex.glsl).
-    const beats = (time * species.wind.flutterRate) / 16;
-    leafLook.leafFlutter.value.y = beats - Math.floor(beats);
+    for (const lane of this.#b ? [this.#a, this.#b] : [this.#a]) {
+      lane.felt.moveTo(this.matrixWorld);
+      lane.update(renderer, this.#tree, time);
+    }
+    this.#prepare(this.#tree);
+    this.show('A');
     this.#parts.pictureHeight = renderer.getDrawingBufferSize(this.#size).y;
     this.#parts.visible = true;
   }
@@ -96,7 +131,7 @@ export class WindTree extends Object3D {
 
   set levelsShown(levels: number) {
     this.#levels = levels;
-    this.#show();
+    this.#applyShown();
   }
 
   /** Whether leaves are drawn; `auto`, the default: when all levels are. */
@@ -106,7 +141,7 @@ export class WindTree extends Object3D {
 
   set showLeaves(leaves: boolean | 'auto') {
     this.#leaves = leaves;
-    this.#show();
+    this.#applyShown();
   }
 
   get mode(): Mode {
@@ -150,29 +185,54 @@ export class WindTree extends Object3D {
 
   /** What the last frame drew. */
   stats(): { triangles: number; drawCalls: number; pieces: number; leaves: number; bytes: number } {
-    return { ...this.#parts.stats(), bytes: this.#textures?.bytes ?? 0 };
+    let bytes = 0;
+    for (const lane of [this.#a, this.#b]) bytes += (lane?.textures?.bytes ?? 0) + (lane?.poser?.bytes ?? 0);
+    return { ...this.#parts.stats(), bytes };
   }
 
   /** The pose as last computed, laid out as `PackedTree.restPose.data`; null before the first `update`. Slow. */
-  readPose(renderer: WebGLRenderer): Float32Array | null {
-    return this.#poser?.read(renderer) ?? null;
+  readPose(renderer: WebGLRenderer, which: Which = 'A'): Float32Array | null {
+    return this.#lane(which).poser?.read(renderer) ?? null;
+  }
+
+  /** Part (0..1) of the way to the time of the last `update` that a far jump of the springs has made; null: it is drawn as of then. */
+  get catchingUp(): number | null {
+    const parts = [this.#a, this.#b].flatMap((lane) => lane?.poser?.catchingUp ?? []);
+    return parts.length > 0 ? Math.min(...parts) : null;
+  }
+
+  /** Pose and springs' state as last computed, without waiting for the GPU; null before the first `update` or without a context. */
+  async readBack(renderer: WebGLRenderer, which: Which = 'A'): Promise<ReadBack | null> {
+    return (await this.#lane(which).poser?.readBack(renderer)) ?? null;
+  }
+
+  /** The 16 numbers of a piece's pose, P0 to P3, likewise; null where there is no such piece, too. */
+  async readPiece(renderer: WebGLRenderer, piece: number, which: Which = 'A'): Promise<Float32Array | null> {
+    return (await this.#lane(which).poser?.readPiece(renderer, piece)) ?? null;
+  }
+
+  /**
+   * The piece that a ray in the world meets, within the levels that are shown. `pose`: as `readBack` gives it, by default at rest;
+   * `near`: how far beside the ray it may be where none is met, metres a metre of distance.
+   */
+  pick(ray: Ray, { pose, near = 0 }: { pose?: Float32Array | null; near?: number } = {}): number | null {
+    const tree = this.#tree;
+    if (!tree) return null;
+    const picking = { places: this.#places(tree), near, ...(pose ? { pose } : {}) };
+    return pickBranch(tree, this.#localRay(ray), picking)?.piece ?? null;
   }
 
   /** Answers with the branch that the ray meets at rest, else with the crown as an ellipsoid. */
   override raycast(raycaster: Raycaster, intersects: Intersection[]): void {
     const tree = this.#tree;
     if (!tree) return;
-    const { matrixWorld } = this.#parts;
-    const ray = new Ray().copy(raycaster.ray).applyMatrix4(new Matrix4().copy(matrixWorld).invert());
+    const ray = this.#localRay(raycaster.ray);
     const box = windBox(tree.bounds);
     if (!ray.intersectsBox(box)) return;
-    const places = tree.levels
-      .slice(0, this.#levels)
-      .reduce((end, { start, count }) => Math.max(end, start + count), 0);
-    const branch = pickBranch(tree, ray, places);
+    const branch = pickBranch(tree, ray, { places: this.#places(tree) });
     const local = branch?.point ?? (this.#parts.shown.leaves ? pickCrown(tree.crown, ray, box) : null);
     if (!local) return;
-    const point = local.applyMatrix4(matrixWorld);
+    const point = local.applyMatrix4(this.#parts.matrixWorld);
     const distance = raycaster.ray.origin.distanceTo(point);
     if (distance < raycaster.near || distance > raycaster.far) return;
     intersects.push({ distance, point, object: this, ...(branch ? { index: branch.piece } : {}) });
@@ -185,30 +245,38 @@ export class WindTree extends Object3D {
     this.#tree = null;
   }
 
-  #prepare(renderer: WebGLRenderer, tree: PackedTree): { textures: TreeTextures; poser: Poser } {
-    if (this.#textures && this.#poser) return { textures: this.#textures, poser: this.#poser };
-    const textures = new TreeTextures(tree, capabilitiesOf(renderer).floatTargets);
-    const poser = textures.cpuPose ? new CpuPoser(textures) : new WindPass(textures);
+  #localRay(ray: Ray): Ray {
+    return new Ray().copy(ray).applyMatrix4(new Matrix4().copy(this.#parts.matrixWorld).invert());
+  }
+
+  /** Places of the draw order that the levels shown take. */
+  #places({ levels }: PackedTree): number {
+    return levels.slice(0, this.#levels).reduce((end, { start, count }) => Math.max(end, start + count), 0);
+  }
+
+  #lane(which: Which): WindLane {
+    return which === 'B' && this.#b ? this.#b : this.#a;
+  }
+
+  /** Hands what does not move to the shaders: that of A serves both. */
+  #prepare(tree: PackedTree): void {
+    const { textures } = this.#a;
     const { shared } = this.#parts;
+    if (!textures || shared.branches.value === textures.branches) return;
     shared.branches.value = textures.branches;
     shared.leaves.value = textures.leaves;
     shared.poseLog2Width.value = Math.log2(tree.restPose.width);
     shared.branchLog2Width.value = Math.log2(tree.branches.width);
     shared.leafLog2Width.value = Math.log2(tree.leaves.width);
-    this.#textures = textures;
-    this.#poser = poser;
-    return { textures, poser };
   }
 
   #dropTextures(): void {
     this.#parts.visible = false;
-    this.#poser?.dispose();
-    this.#textures?.dispose();
-    this.#poser = null;
-    this.#textures = null;
+    this.#a.drop();
+    this.#b?.drop();
   }
 
-  #show(): void {
+  #applyShown(): void {
     const { shown } = this.#parts;
     shown.levels = this.#levels;
     const all = this.#levels >= (this.#tree?.levels.length ?? 0);

@@ -32,6 +32,7 @@ export const buffersOf = (packed: PackedTree): ArrayBuffer[] =>
     packed.restPose.data,
     packed.branches.data,
     packed.leaves.data,
+    packed.mechanics,
     packed.bounds,
     packed.crown,
   ].map((array) => array.buffer as ArrayBuffer);

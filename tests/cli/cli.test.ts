@@ -131,6 +131,47 @@ describe('validate', () => {
     expect(out.split('\n')).toEqual([aspen, ...others].map((path) => `${path}: a valid species`));
   });
 
+  test('tells winds and lists from species by what they say of themselves', () => {
+    const files = ['winds/recorded.json', 'winds/index.json', 'species/index.json'].map((name) =>
+      join(root, 'public', name),
+    );
+    const { status, out, err } = call('validate', ...files);
+    expect([status, err]).toEqual([0, '']);
+    expect(out.split('\n')).toEqual([
+      `${files[0]}: a valid wind`,
+      expect.stringMatching(/winds\/index\.json: a valid list of \d\d files$/),
+      `${files[2]}: a valid list of 4 files`,
+    ]);
+  });
+
+  test('finds the faults of a wind, of the record beside it, and of a list', () => {
+    const write = (name: string, value: unknown): string => {
+      writeFileSync(join(folder, name), typeof value === 'string' ? value : JSON.stringify(value));
+      return join(folder, name);
+    };
+    const wind = { format: 'windgrove-wind', version: 1, name: 'Mine' };
+    write('mast.csv', 'time,speed\n0,4\n1,fast\n');
+    const files = [
+      write('waves.json', { ...wind, waves: [{ wavelength: 0 }] }),
+      write('recorded.json', { ...wind, record: 'mast.csv' }),
+      write('lost.json', { ...wind, record: 'lost.csv' }),
+      write('list.json', [{ id: 'a', name: 'A', file: 'none.json' }]),
+      write('other.json', { format: 'windgrove-tree' }),
+      write('number.json', '7'),
+    ];
+    const { status, out, err } = call('validate', ...files);
+    expect([status, out]).toEqual([1, '']);
+    const at = (i: number): string => `${files[i]}: `;
+    expect(err.split('\n')).toEqual([
+      `${at(0)}waves[0].wavelength: found 0; allowed: a number from 0.1 to 500 metres.`,
+      `${at(1)}mast.csv, line 3, speed: found the text "fast"; allowed: a number from 0 to 100, or nothing.`,
+      `${join(folder, 'lost.csv')}: there is no such file.`,
+      `${at(3)}[0].file: found the text "none.json"; allowed: the name of a file beside this one.`,
+      `${at(4)}format: found the text "windgrove-tree"; allowed: "windgrove-species" or "windgrove-wind".`,
+      `${at(5)}The file: found 7; allowed: "windgrove-species" or "windgrove-wind".`,
+    ]);
+  });
+
   test('names the path of every fault and ends with 1', () => {
     const bad = file('bad.json', ({ tree, levels }: Record<string, never>) => {
       Object.assign(tree, { scale: 'tall' });

@@ -4,12 +4,12 @@ import { filesUnder } from './tree-files.ts';
 
 /** Who may import whom: the folders of src, the shaders, and the packages that a room knows. */
 const table: Record<string, { rooms: string[]; packages: string[] }> = {
-  core: { rooms: ['core'], packages: ['zod'] },
+  core: { rooms: ['core'], packages: ['zod', 'papaparse', 'fft.js'] },
   worker: { rooms: ['worker', 'core'], packages: ['comlink'] },
   gpu: { rooms: ['gpu', 'core', 'shaders'], packages: ['three'] },
   view: { rooms: ['view', 'core', 'worker', 'gpu', 'shaders'], packages: ['three'] },
   element: { rooms: ['element', 'core', 'view'], packages: ['lit'] },
-  editor: { rooms: ['editor', 'core', 'view', 'element'], packages: ['lit', 'zustand'] },
+  editor: { rooms: ['editor', 'core', 'view', 'element'], packages: ['lit', 'zustand', 'uplot'] },
   learn: { rooms: ['learn', 'core', 'view', 'element'], packages: ['lit'] },
   cli: { rooms: ['cli', 'core'], packages: ['node:'] },
 };

@@ -8,11 +8,18 @@ export type ViewMode = (typeof VIEW_MODES)[number];
 export const THEMES = ['auto', 'light', 'dark'] as const;
 export type Theme = (typeof THEMES)[number];
 
+/** How two winds are shown: one picture with a line between them, or two side by side. */
+export const LAYOUTS = ['split', 'side'] as const;
+export type Layout = (typeof LAYOUTS)[number];
+
 /** Steps of the clock a second; the time of a document is a whole number of them. */
 export const STEPS_PER_SECOND = 60;
 
 /** `levelsShown` that leaves no level out. */
 export const ALL_LEVELS = 9;
+
+/** `preset` of a wind that began as none that ships: the link holds its name, too. */
+export const OWN_WIND = 'own';
 
 /** Where the camera stands, seen from what it looks at; y-up, as the picture is. */
 export interface CameraPose {
@@ -25,6 +32,28 @@ export interface CameraPose {
   /** Metres. */
   readonly target: readonly [number, number, number];
 }
+
+/** A second wind on the same tree, clock and camera. */
+export interface Comparison {
+  readonly wind: Wind;
+  /** As `LinkDocument.preset`. */
+  readonly preset: string;
+  readonly layout: Layout;
+  /** Where the line of `split` stands, 0..1 of the width. */
+  readonly at: number;
+}
+
+/** What is drawn over the picture. */
+export interface OverlayChoice {
+  /** Arrows of the force over the ground. */
+  readonly arrows: boolean;
+  /** Fronts of gusts on the ground. */
+  readonly fronts: boolean;
+  /** The handle that turns the wind. */
+  readonly handle: boolean;
+}
+
+export const OVERLAYS: Readonly<OverlayChoice> = { arrows: false, fronts: true, handle: true };
 
 /** All that a link holds: the same document gives the same picture in the same window. */
 export interface LinkDocument {
@@ -46,9 +75,14 @@ export interface LinkDocument {
   readonly showLeaves: boolean;
   readonly view: ViewMode;
   readonly theme: Theme;
+  readonly overlays: OverlayChoice;
+  /** Piece that the probe sticks to, or null. */
+  readonly probe: number | null;
   /** false: no wind, whatever `wind` says. */
   readonly blowing: boolean;
-  /** Id of the preset that `wind` began as. */
+  /** Id of the wind that ships and that `wind` began as, or `OWN_WIND`. */
   readonly preset: string;
   readonly wind: Wind;
+  /** What stands beside `wind`, or null. */
+  readonly compare: Comparison | null;
 }

@@ -1,17 +1,21 @@
-import { ALL_LEVELS, type CameraPose, type LinkDocument, STEPS_PER_SECOND } from './document.ts';
-import { CAMERA_NUMBERS, LINK_NUMBERS, roundTo, WAVE_NUMBERS, wrap } from './numbers.ts';
+import { ALL_LEVELS, type CameraPose, type LinkDocument, OVERLAYS, STEPS_PER_SECOND } from './document.ts';
+import { encodeWind } from './encode-wind.ts';
+import { CAMERA_NUMBERS, LINK_NUMBERS } from './numbers.ts';
+import { roundWind } from './round-wind.ts';
+import { kept, roundTo } from './rule.ts';
 import { textToBase64 } from './text.ts';
-import { roundWind, shownNumber } from './waves.ts';
+
+/** Before the keys of the second wind. */
+export const COMPARED = 'b.';
 
 /** The nearest step of the clock to `seconds`, in seconds. */
 export const roundTime = (seconds: number): number =>
   Math.round(roundTo(LINK_NUMBERS.t, seconds) * STEPS_PER_SECOND) / STEPS_PER_SECOND;
 
 const cameraNumbers = (camera: CameraPose): number[] =>
-  CAMERA_NUMBERS.map((rule, i) => {
-    const value = [camera.azimuth, camera.elevation, camera.distance, ...camera.target][i]!;
-    return rule.wraps ? wrap(rule, value) : roundTo(rule, value);
-  });
+  CAMERA_NUMBERS.map((rule, i) =>
+    kept(rule, [camera.azimuth, camera.elevation, camera.distance, ...camera.target][i]!),
+  );
 
 /** The camera with the digits that a link keeps. */
 export function roundCamera(camera: CameraPose): CameraPose {
@@ -28,6 +32,7 @@ export function roundCamera(camera: CameraPose): CameraPose {
 
 /** The document with the digits that a link keeps: what `decodeLink(encodeLink(document))` gives back. */
 export function roundDocument(document: LinkDocument): LinkDocument {
+  const { compare } = document;
   return {
     ...document,
     seed: roundTo(LINK_NUMBERS.seed, document.seed),
@@ -35,15 +40,17 @@ export function roundDocument(document: LinkDocument): LinkDocument {
     rate: roundTo(LINK_NUMBERS.rate, document.rate),
     levelsShown: roundTo(LINK_NUMBERS.levels, document.levelsShown),
     camera: document.camera && roundCamera(document.camera),
+    probe: document.probe === null ? null : roundTo(LINK_NUMBERS.probe, document.probe),
     wind: roundWind(document.wind),
+    compare: compare && { ...compare, at: roundTo(LINK_NUMBERS.at, compare.at), wind: roundWind(compare.wind) },
   };
 }
 
 /**
  * The document as `key=value` pairs for the part of an address behind `#`.
  *
- * Species, seed, time and waves always stand there, so that a link keeps its picture when presets are tuned; what is as
- * in a fresh document (all levels, shaded, playing, ...) is left out.
+ * Species, seed, time and waves always stand there, so that a link keeps its picture when the winds that ship are tuned; what
+ * is as in a fresh document (all levels, shaded, playing, ...) is left out.
  */
 export function encodeLink(document: LinkDocument): string {
   const d = roundDocument(document);
@@ -58,15 +65,16 @@ export function encodeLink(document: LinkDocument): string {
   if (!d.showLeaves) put('leaves', 0);
   if (d.view !== 'shaded') put('view', d.view);
   if (d.theme !== 'auto') put('theme', d.theme);
-  put('wind', d.preset);
+  for (const key of ['arrows', 'fronts', 'handle'] as const) {
+    if (d.overlays[key] !== OVERLAYS[key]) put(key, d.overlays[key] ? 1 : 0);
+  }
+  if (d.probe !== null) put('probe', d.probe);
   if (!d.blowing) put('blow', 0);
-  put('strength', d.wind.strength);
-  d.wind.waves.forEach((wave, i) => {
-    put(`w${i + 1}`, [...WAVE_NUMBERS.map((n) => shownNumber(wave, n)), ...(wave.on ? [] : ['off'])].join());
-  });
-  put('p', d.wind.forceExponent);
-  put('m', d.wind.lengthExponent);
-  if (d.wind.pose !== 'exact') put('pose', d.wind.pose);
-  if (d.wind.paper) put('paper', 1);
+  encodeWind(d.preset, d.wind, put);
+  if (d.compare) {
+    const { layout, at, preset, wind } = d.compare;
+    put('compare', `${layout},${at}`);
+    encodeWind(preset, wind, (key, value) => put(`${COMPARED}${key}`, value));
+  }
   return pairs.map(([key, value]) => `${key}=${encodeURIComponent(value).replaceAll('%2C', ',')}`).join('&');
 }

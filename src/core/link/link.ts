@@ -1,4 +1,6 @@
 /** The link of an editor's document: what the address holds, both ways. */
-export { type DecodeOptions, decodeLink, type LinkFault } from './decode.ts';
+export { type DecodeOptions, decodeLink } from './decode.ts';
 export * from './document.ts';
 export { encodeLink, roundCamera, roundDocument, roundTime } from './encode.ts';
+export type { LinkFault } from './reader.ts';
+export { roundWind } from './round-wind.ts';

@@ -19,6 +19,7 @@ export function hashPacked(packed: PackedTree): string {
   }
   for (const { start, count } of packed.levels) hash = words(hash, Uint32Array.of(start, count));
   hash = words(hash, Float32Array.of(packed.leafLength));
+  hash = words(hash, packed.mechanics);
   hash = words(hash, packed.bounds);
   hash = words(hash, packed.crown);
   return (hash >>> 0).toString(16).padStart(8, '0');

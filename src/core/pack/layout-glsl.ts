@@ -1,12 +1,29 @@
-import { BRANCH_LAYERS, LEAF_LAYERS, PIECE_LAYERS, POSE_TARGETS } from './layout.ts';
+import {
+  BRANCH_LAYERS,
+  LEAF_LAYERS,
+  PIECE_LAYERS,
+  POSE_TARGETS,
+  SPRING_LAYERS,
+  STATE_TARGETS,
+  SWAY_LAYERS,
+} from './layout.ts';
+
+const TABLES = {
+  PIECE: PIECE_LAYERS,
+  BRANCH: BRANCH_LAYERS,
+  LEAF: LEAF_LAYERS,
+  POSE: POSE_TARGETS,
+  SPRING: SPRING_LAYERS,
+  STATE: STATE_TARGETS,
+  SWAY: SWAY_LAYERS,
+};
 
 /**
  * The layouts as GLSL: `const int PIECE_ATTACH = 0;` and so on for every layer and pose target, and `texelAt`, the texel of
  * a thing in a layer. Goes in front of any shader that reads a tree; GLSL ES 3.00.
  */
 export function layoutGlsl(): string {
-  const tables = { PIECE: PIECE_LAYERS, BRANCH: BRANCH_LAYERS, LEAF: LEAF_LAYERS, POSE: POSE_TARGETS };
-  const constants = Object.entries(tables).flatMap(([table, layers]) =>
+  const constants = Object.entries(TABLES).flatMap(([table, layers]) =>
     Object.entries(layers).map(([layer, index]) => `const int ${table}_${layer} = ${index};`),
   );
   return [

@@ -41,8 +41,57 @@ export const POSE_TARGETS = {
   /** P0.xyz | O.x */ P0: 0,
   /** P1.xyz | O.y */ P1: 1,
   /** P2.xyz | O.z */ P2: 2,
-  /** P3.xyz | angle of the piece's bend in radians */ P3: 3,
+  /** P3.xyz | stir: how hard the leaves there are shaken, in metres of force */ P3: 3,
 } as const;
+
+/**
+ * Read by the passes of the bend model `spring`; index = piece, same width and height as the pieces. Made anew from the mechanics of
+ * a tree and the settings of a wind, by `springTexels`.
+ */
+export const SPRING_LAYERS = {
+  /** rotation of the base frame at rest in tree space: x | y | z | w; its columns are L, T and S */
+  FRAME: 0,
+  /** one step of the oscillator less the identity: b11 | b12, s | b21, 1/s | b22 */
+  STEP: 1,
+  /** lever, s^2/m: bend that an acceleration of the base of 1 m/s^2 is worth | reach, m: how far a bend of 1 moves the piece's end | natural angular frequency, rad/s | 0 */
+  LOAD: 2,
+} as const;
+
+/** Written by the pass of the springs, one target each; index = piece. Tree space, at whole steps. */
+export const STATE_TARGETS = {
+  /** bend along T | along S (of the frame at rest) | their velocities, 1/s */ Q: 0,
+  /** acceleration of the piece's base, m/s^2 (3) | force of the wind, metres */ BASE: 1,
+  /** acceleration of the piece's end, m/s^2 (3) | bend along L: the pull of the wind along the branch, which does not swing */ END: 2,
+} as const;
+
+/** Read by the pose where the bend model is `sway`; index = piece, same width and height as the pieces. */
+export const SWAY_LAYERS = {
+  /** bend for a swing of 1 of the 2nd edge | of the 3rd edge | frequency in 4096ths of a hertz, a whole number | 0.7 times that, whole */
+  GAIN: 0,
+  /** phase in turns of the swing along T | along S | 0 | 0 */
+  OFFSET: 1,
+} as const;
+
+/** What a piece's stem is as a spring: `PackedTree.mechanics` has this many numbers a piece, of which the GPU reads none. */
+export const MECHANICS = {
+  /** Part [z0, z1] of its stem that the piece covers. */
+  Z0: 0,
+  Z1: 1,
+  /** Of the stem, metres. */
+  LENGTH: 2,
+  /** Of the stem at its base, metres. */
+  RADIUS: 3,
+  /** Natural angular frequency of the stem with all that grows on it, rad/s. */
+  OMEGA: 4,
+  LEVEL: 5,
+  /** A random number of the stem's own, [0, 1): pieces of a stem share it, no two stems do. */
+  PHASE: 6,
+  /** What the bends of the stem's level are multiplied by. */
+  FLEXIBILITY: 7,
+} as const;
+
+/** Numbers a piece in `PackedTree.mechanics`. */
+export const MECHANICS_SIZE = 8;
 
 /** Numbers a texel. */
 export const TEXEL = 4;

@@ -6,6 +6,7 @@ import { bendWeights } from '../wind/bend.ts';
 import { extentOf } from './extent.ts';
 import { BRANCH_LAYERS, LEAF_LAYERS, PIECE_LAYERS, POSE_TARGETS } from './layout.ts';
 import { writeLeaf } from './leaf-texel.ts';
+import { packMechanics } from './mechanics.ts';
 import type { DrawRange, PackedTree, TexelArray } from './packed.ts';
 import { inverseOrder, spreadOrder } from './spread.ts';
 import { layerStart, texelArray, wordTexels } from './texel-array.ts';
@@ -26,6 +27,7 @@ export function packTree(tree: Tree, pieces: Pieces, attachments: LeafAttachment
     restPose: packRestPose(pieces),
     branches: packBranches(tree, pieces, levels),
     leaves: packLeaves(tree, pieces, attachments),
+    mechanics: packMechanics(tree, pieces),
     leafLength: tree.leaves.count > 0 ? tree.leaves.length[0] : 0,
     levels,
     ...extentOf(tree, pieces, attachments),

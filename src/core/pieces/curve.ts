@@ -1,3 +1,5 @@
+import { arcOfProducts } from '../math/bezier.ts';
+
 /**
  * One piece as 21 numbers in a row, for loops over many pieces: control points P0, P1, P2, P3, then the handles T0, T1, T2
  * (the T of the frame of each control edge). The same formulas as math/bezier.ts and math/frames.ts, without a vector
@@ -32,6 +34,18 @@ export function recordArc(c: Float64Array, at: number, u: number): number {
   let sum = 0;
   for (let j = 0; j < 5; j++) sum += WEIGHTS[j] * speed(c, at, u * NODES[j]);
   return sum * u;
+}
+
+/** The whole arc length in metres of the record at `at`: `arcLength`, by which the wind holds it. */
+export function recordLength(c: Float64Array, at: number): number {
+  const product = (i: number, j: number): number => {
+    let sum = 0;
+    for (let k = at; k < at + 3; k++) {
+      sum += (c[k + 3 * i + 3] - c[k + 3 * i]) * (c[k + 3 * j + 3] - c[k + 3 * j]);
+    }
+    return sum;
+  };
+  return arcOfProducts(product(0, 0), product(0, 1), product(0, 2), product(1, 1), product(1, 2), product(2, 2));
 }
 
 /** The Bezier parameter at a fraction 0..1 of the arc length `arc`, by Newton's method (equations.md, section 4). */

@@ -5,6 +5,7 @@ import {
   RECORD,
   recordArc,
   recordFrame,
+  recordLength,
   recordParameter,
   recordPoint,
   transportRecord,
@@ -122,7 +123,7 @@ function place(tree: Tree, chains: Chains, parentOf: Int32Array, order: PieceOrd
       pieces.level[to] = stems.level[stem];
       pieces.parent[to] = above < 0 ? -1 : placeOf[above];
       pieces.v[to] = v;
-      pieces.arc[to] = arcs[i];
+      pieces.arc[to] = recordLength(record, at);
       pieces.span[2 * to] = chains.span[2 * i];
       pieces.span[2 * to + 1] = chains.span[2 * i + 1];
       for (let k = 0; k < 4; k++) pieces.orientation[4 * to + k] = quaternion[k];

@@ -84,4 +84,19 @@ export const WIND_PARAMETERS: readonly Parameter[] = [
     unit: 'Hz',
     default: 2.5,
   }),
+  number('wind', 'modulus', 'Stiffness of the wood', "Young's modulus of the living wood.", [0.1, 30, 0.1], {
+    ...OURS,
+    unit: 'GPa',
+    default: 6,
+  }),
+  number('wind', 'density', 'Density of the wood', 'Mass of the living wood with its water.', [100, 1500, 10], {
+    ...OURS,
+    unit: 'kg/m³',
+    default: 850,
+  }),
+  number('wind', 'leafMass', 'Mass of the leaves', 'Mass of living leaves by their area.', [0, 2, 0.01], {
+    ...OURS,
+    unit: 'kg/m²',
+    default: 0.2,
+  }),
 ];

@@ -1,47 +1,13 @@
-import type { Parameter } from './parameter.ts';
+import { type Json, type JsonObject, parameterSchema } from '../file/schema.ts';
 import type { Group } from './parameters.ts';
 import { defaultOf, GROUPS, isRequired, MOST_LEVELS } from './parameters.ts';
 
-/** A JSON value. */
-export type Json = string | number | boolean | null | readonly Json[] | { readonly [key: string]: Json };
-type JsonObject = { readonly [key: string]: Json };
-
-/** The schema of one parameter. */
-function parameterSchema(p: Parameter, level: number): JsonObject {
-  const notes = [p.help];
-  if (p.kind === 'number' && p.negative) notes.push(p.negative);
-  if (p.symbol) notes.push(`Weber & Penn 1995: ${p.symbol}, ${p.section}.`);
-  const value = defaultOf(p, level);
-  const common: JsonObject = {
-    title: p.label,
-    description: notes.join(' '),
-    ...(value === undefined ? {} : { default: value as Json }),
-  };
-  switch (p.kind) {
-    case 'number':
-      return { ...common, type: p.integer ? 'integer' : 'number', minimum: p.min, maximum: p.max };
-    case 'numbers':
-      return {
-        ...common,
-        type: 'array',
-        minItems: 1,
-        maxItems: 8,
-        items: { type: 'number', minimum: p.min, maximum: p.max },
-      };
-    case 'flag':
-      return { ...common, type: 'boolean' };
-    case 'choice':
-      return { ...common, type: 'string', enum: p.choices };
-    case 'colour':
-      return { ...common, type: 'string', pattern: '^#[0-9a-fA-F]{6}$' };
-  }
-}
-
 function groupSchema(group: Group, level = 0): JsonObject {
+  const schemas = group.parameters.map((p) => [p.key, parameterSchema(p, defaultOf(p, level), 'Weber & Penn 1995')]);
   return {
     type: 'object',
     description: group.help,
-    properties: Object.fromEntries(group.parameters.map((p) => [p.key, parameterSchema(p, level)])),
+    properties: Object.fromEntries(schemas),
     required: group.parameters.filter((p) => isRequired(p, level)).map((p) => p.key),
     additionalProperties: false,
   };

@@ -140,4 +140,8 @@ export interface WindAnswer {
   /** Flutter of the leaves: angle in degrees at a force of 1, and rate in hertz. */
   readonly flutter: number;
   readonly flutterRate: number;
+  /** Young's modulus of the green wood in GPa, its density in kg/m^3 and the mass of the leaves in kg/m^2: how fast stems swing. */
+  readonly modulus: number;
+  readonly density: number;
+  readonly leafMass: number;
 }

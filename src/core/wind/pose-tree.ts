@@ -1,17 +1,18 @@
-import type { Cubic } from '../math/bezier.ts';
+import { arcOfProducts, type Cubic } from '../math/bezier.ts';
 import { across, type Handles, handlesOf } from '../math/frames.ts';
-import { angleOfChord } from '../math/trig.ts';
 import { PIECE_LAYERS, POSE_TARGETS } from '../pack/layout.ts';
-import { bendVector } from './bend.ts';
-import { windForce } from './force.ts';
-import { type PiecesToPose, planeOf, poseOf, poseTreePlainly, type WindToPose } from './pose-plainly.ts';
+import { FOLD } from './bend.ts';
+import { type PiecesToPose, planeOf, poseOf, poseTreePlainly } from './pose-plainly.ts';
+import type { Bends, WindToPose } from './push.ts';
+import { PushWriter } from './push-writer.ts';
 
 /**
  * The pose of every piece of a tree in a wind, laid out as `restPose`: what the wind pass computes, on the CPU.
  *
  * `exact` poses parents before their children. `lagged` takes every parent from `previous`, the pose of the last step (the rest
- * pose by default), as the paper does; `out` must then be another array. Numbers are written out so that nothing is
- * allocated for a piece; a test holds it to `poseTreePlainly`. Source: Skjermo 2007, 4.2 and equation 17.
+ * pose by default), as the paper does; `out` must then be another array. `bends` is what the models `spring` and `sway` need. Numbers
+ * are written out so that hardly anything is allocated for a piece; a test holds it to `poseTreePlainly`.
+ * Source: Skjermo 2007, 4.2 and equation 17.
  */
 export function poseTree(
   tree: PiecesToPose,
@@ -19,15 +20,17 @@ export function poseTree(
   mode: 'exact' | 'lagged',
   previous: Float32Array = tree.restPose.data,
   out: Float32Array = new Float32Array(tree.restPose.data.length),
+  bends: Bends = {},
 ): Float32Array {
   // The printed forms are for teaching: no second fast version of them.
-  if (wind.paper) return poseTreePlainly(tree, wind, mode, previous, out);
+  if (wind.paper) return poseTreePlainly(tree, wind, mode, previous, out, bends);
   const { data } = tree.pieces;
   const plane = planeOf(tree.pieces);
   const posePlane = planeOf(tree.restPose);
   const attach = PIECE_LAYERS.ATTACH * plane;
   const parents = mode === 'lagged' ? previous : out;
   const section = new Float64Array(12);
+  const pushes = new PushWriter(tree.pieces, wind, bends);
   let lastParent = -2;
   let curve: Cubic | undefined;
   let handles: Handles | undefined;
@@ -42,7 +45,7 @@ export function poseTree(
     }
     if (parent < 0 || curve === undefined || handles === undefined) rootSection(previous, 4 * i, section);
     else sectionAt(curve, handles, data[attach + 4 * i + 1], section);
-    posePiece(data, plane, 4 * i, section, wind, out, posePlane);
+    posePiece(data, plane, 4 * i, section, pushes, out, posePlane);
   }
   return out;
 }
@@ -99,21 +102,21 @@ function sectionAt({ p0, p1, p2, p3 }: Cubic, h: Handles, v: number, out: Float6
   out[11] = ux * out[7] - uy * out[6];
 }
 
+const baseFrame = new Float64Array(9);
+
 /** Attaches the piece whose texels start at `at` to a section, bends it and writes its pose. */
 function posePiece(
   data: Float32Array,
   plane: number,
   at: number,
   section: Float64Array,
-  wind: WindToPose,
+  pushes: PushWriter,
   out: Float32Array,
   posePlane: number,
 ): void {
-  const attach = PIECE_LAYERS.ATTACH * plane + at;
   const orient = PIECE_LAYERS.ORIENT * plane + at;
   const handle = PIECE_LAYERS.HANDLE * plane + at;
   const end = PIECE_LAYERS.END * plane + at;
-  const tip = PIECE_LAYERS.TIP * plane + at;
   // Base frame in tree space: the section times the rotation of the quaternion.
   const x = data[orient];
   const y = data[orient + 1];
@@ -153,32 +156,34 @@ function posePiece(
   const e3x = lx * ex + ox * ey + nx * ez;
   const e3y = ly * ex + oy * ey + ny * ez;
   const e3z = lz * ex + oz * ey + nz * ez;
-  // Bend: turn both edges, keep their lengths (equation 17).
-  const force = windForce(wind, data[tip], data[tip + 1]);
-  const beta = bendVector(force[0], force[1], data[tip + 3], wind.forceExponent, wind.lengthExponent);
-  const l2 = Math.sqrt(e2x * e2x + e2y * e2y + e2z * e2z);
-  const l3 = Math.sqrt(e3x * e3x + e3y * e3y + e3z * e3z);
-  const w2 = data[attach + 2] * l2;
-  const w3 = data[attach + 3] * l3;
-  let fx = e2x + w2 * beta[0];
-  let fy = e2y + w2 * beta[1];
-  let fz = e2z;
-  let n = Math.sqrt(fx * fx + fy * fy + fz * fz);
-  const k2 = n > 1e-6 * l2 ? l2 / n : 0;
-  const bx = k2 > 0 ? fx * k2 : e2x;
-  const by = k2 > 0 ? fy * k2 : e2y;
-  const bz = k2 > 0 ? fz * k2 : e2z;
-  fx = e3x + w3 * beta[0];
-  fy = e3y + w3 * beta[1];
-  fz = e3z;
-  n = Math.sqrt(fx * fx + fy * fy + fz * fz);
-  const k3 = n > 1e-6 * l3 ? l3 / n : 0;
-  const dx = k3 > 0 ? fx * k3 : e3x;
-  const dy = k3 > 0 ? fy * k3 : e3y;
-  const dz = k3 > 0 ? fz * k3 : e3z;
-  const chord = l3 > 0 ? Math.sqrt((dx - e3x) ** 2 + (dy - e3y) ** 2 + (dz - e3z) ** 2) / l3 : 0;
-  // Arc length at rest (equations.md 3.4).
-  const arc = arcOfEdges(lx * p1, ly * p1, lz * p1, bx, by, bz, dx, dy, dz);
+  baseFrame[0] = lx;
+  baseFrame[1] = ly;
+  baseFrame[2] = lz;
+  baseFrame[3] = ox;
+  baseFrame[4] = oy;
+  baseFrame[5] = oz;
+  baseFrame[6] = nx;
+  baseFrame[7] = ny;
+  baseFrame[8] = nz;
+  pushes.write(at, baseFrame);
+  const { push } = pushes;
+  // Bend: both edges lean and keep their lengths (`leanPiece`), and the piece keeps its own.
+  const fold2 = leastCosine(lx, ly, lz, e2x, e2y, e2z);
+  const fold3 = leastCosine(e2x, e2y, e2z, e3x, e3y, e3z);
+  leanEdge(e2x, e2y, e2z, push[0], push[1], push[2]);
+  unfoldEdge(lx * p1, ly * p1, lz * p1, fold2);
+  const [bx, by, bz] = [edge[0], edge[1], edge[2]];
+  leanEdge(e3x, e3y, e3z, push[3], push[4], push[5]);
+  unfoldEdge(bx, by, bz, fold3);
+  const [dx, dy, dz] = [edge[0], edge[1], edge[2]];
+  const arc = arcOfProducts(
+    p1 * p1,
+    p1 * (lx * bx + ly * by + lz * bz),
+    p1 * (lx * dx + ly * dy + lz * dz),
+    bx * bx + by * by + bz * bz,
+    bx * dx + by * dy + bz * dz,
+    dx * dx + dy * dy + dz * dz,
+  );
   const s = arc > 0 ? data[end + 3] / arc : 1;
   const q1x = lx * p1 * s;
   const q1y = ly * p1 * s;
@@ -205,42 +210,48 @@ function posePiece(
   out[o] = cx + q2x + dx * s;
   out[o + 1] = cy + q2y + dy * s;
   out[o + 2] = cz + q2z + dz * s;
-  out[o + 3] = angleOfChord(chord);
+  out[o + 3] = push[6];
 }
 
-/** Abscissae and weights of the 5-point Gauss-Legendre rule on 0..1, and the quadratic Bernstein weights there. */
-const GAUSS: readonly (readonly [number, number])[] = [
-  [0.5, 0.2844444444444444],
-  [0.2307653449471585, 0.23931433524968324],
-  [0.7692346550528415, 0.23931433524968324],
-  [0.046910077030668, 0.11846344252809454],
-  [0.953089922969332, 0.11846344252809454],
-];
-const RULE = new Float64Array(GAUSS.flatMap(([u, weight]) => [3 * weight, (1 - u) ** 2, 2 * u * (1 - u), u * u]));
+const edge = new Float64Array(3);
 
-/** Arc length of the cubic with these three edges: `bezierArcLength`. */
-function arcOfEdges(
-  ax: number,
-  ay: number,
-  az: number,
-  bx: number,
-  by: number,
-  bz: number,
-  cx: number,
-  cy: number,
-  cz: number,
-): number {
-  let sum = 0;
-  for (let i = 0; i < RULE.length; i += 4) {
-    const a = RULE[i + 1];
-    const b = RULE[i + 2];
-    const c = RULE[i + 3];
-    const x = a * ax + b * bx + c * cx;
-    const y = a * ay + b * by + c * cy;
-    const z = a * az + b * bz + c * cz;
-    sum += RULE[i] * Math.sqrt(x * x + y * y + z * z);
-  }
-  return sum;
+/** `leanEdge` into `edge`. */
+function leanEdge(ex: number, ey: number, ez: number, px: number, py: number, pz: number): void {
+  const l = Math.sqrt(ex * ex + ey * ey + ez * ez);
+  const keep = 1 - Math.min((ex * px + ey * py + ez * pz) / Math.max(l, 1e-30), 0);
+  const x = keep * ex + l * px;
+  const y = keep * ey + l * py;
+  const z = keep * ez + l * pz;
+  const s = l / Math.max(Math.sqrt(x * x + y * y + z * z), 1e-30);
+  edge[0] = x * s;
+  edge[1] = y * s;
+  edge[2] = z * s;
+}
+
+/** The least cosine that two edges may have in the wind, from those at rest. */
+const leastCosine = (ax: number, ay: number, az: number, bx: number, by: number, bz: number): number => {
+  const ab = ax * bx + ay * by + az * bz;
+  if (ab >= 0) return FOLD;
+  const lengths = (ax * ax + ay * ay + az * az) * (bx * bx + by * by + bz * bz);
+  return Math.min(ab / Math.sqrt(Math.max(lengths, 1e-36)), FOLD);
+};
+
+/** `unfoldEdge` of `edge`, which follows (ax, ay, az). */
+function unfoldEdge(ax: number, ay: number, az: number, least: number): void {
+  const bx = edge[0];
+  const by = edge[1];
+  const bz = edge[2];
+  const ab = ax * bx + ay * by + az * bz;
+  if (ab >= 0) return;
+  const aa = Math.max(ax * ax + ay * ay + az * az, 1e-30);
+  const bb = bx * bx + by * by + bz * bz;
+  const c = ab / Math.sqrt(Math.max(aa * bb, 1e-36));
+  if (c >= least) return;
+  const k = least * Math.sqrt(bb / aa);
+  const aside = Math.sqrt((1 - least * least) / Math.max(1 - c * c, 1e-3));
+  edge[0] = k * ax + aside * (bx - (ax * ab) / aa);
+  edge[1] = k * ay + aside * (by - (ay * ab) / aa);
+  edge[2] = k * az + aside * (bz - (az * ab) / aa);
 }
 
 export {
@@ -249,6 +260,6 @@ export {
   poseOf,
   poseTreePlainly,
   restPieceOf,
-  type WindToPose,
   writePose,
 } from './pose-plainly.ts';
+export type { Bends, WindToPose } from './push.ts';

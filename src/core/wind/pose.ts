@@ -2,7 +2,7 @@ import { bezierPoint, type Cubic } from '../math/bezier.ts';
 import { type Handles, handlesOf, projectedHandlesOf, sectionFrame } from '../math/frames.ts';
 import { matrixFromQuaternion, type Quaternion } from '../math/quaternion.ts';
 import { add, type Mat3, multiply, transform, type Vec3 } from '../math/vec3.ts';
-import { type BendModel, type BendWeights, bendPiece } from './bend.ts';
+import { type BendWeights, bendPiece, type Push } from './bend.ts';
 
 /** What a piece is at rest: one entry of PIECE_LAYERS. Metres; control points in the base frame. */
 export interface RestPiece {
@@ -19,11 +19,11 @@ export interface RestPiece {
   third: number;
 }
 
-/** Where a piece is: its curve in tree space, its orientation vector, and by how much it bends in radians. */
+/** Where a piece is: its curve in tree space, its orientation vector, and how hard its leaves are shaken, metres of force. */
 export interface Pose {
   curve: Cubic;
   o: Vec3;
-  angle: number;
+  stir: number;
 }
 
 /** The handles of a parent; `paper`: in the printed form, for teaching. Twin: shaders/wind/pose.glsl. */
@@ -39,7 +39,7 @@ export const placePiece = (at: Vec3, frame: Mat3, rest: RestPiece): Pose => ({
     p3: add(at, transform(frame, rest.p3)),
   },
   o: frame[1],
-  angle: 0,
+  stir: 0,
 });
 
 /**
@@ -55,17 +55,19 @@ export function attachPiece(parent: Cubic, parentO: Vec3, rest: RestPiece, paper
 export const attachRoot = (at: Vec3, rest: RestPiece): Pose =>
   placePiece(at, matrixFromQuaternion(rest.orientation), rest);
 
-/** A placed piece bent by a force in metres. Twin: shaders/wind/pose.glsl. */
-export function bendPose(placed: Pose, rest: RestPiece, force: [number, number], model: BendModel): Pose {
-  const bent = bendPiece(placed.curve, force, rest.third, rest.weights, rest.arc, model);
-  return { curve: bent.curve, o: placed.o, angle: bent.angle };
-}
+/** A placed piece bent by a push, its leaves shaken by `stir`; `paper`: in the printed form. Twin: shaders/wind/pose.glsl. */
+export const bendPose = (placed: Pose, rest: RestPiece, push: Push, stir: number, paper = false): Pose => ({
+  curve: bendPiece(placed.curve, push, rest.arc, paper),
+  o: placed.o,
+  stir,
+});
 
 /** A child's pose from its parent's: attached, then bent. Source: Skjermo 2007, 4.2 and equation 17. Twin: shaders/wind/pose.glsl. */
 export const poseFromParent = (
   parent: Cubic,
   parentO: Vec3,
   rest: RestPiece,
-  force: [number, number],
-  model: BendModel,
-): Pose => bendPose(attachPiece(parent, parentO, rest, model.paper), rest, force, model);
+  push: Push,
+  stir: number,
+  paper = false,
+): Pose => bendPose(attachPiece(parent, parentO, rest, paper), rest, push, stir, paper);

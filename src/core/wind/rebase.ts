@@ -15,9 +15,11 @@ export function rebaseWave(wave: Wave, change: Partial<Pick<Wave, 'speed' | 'wav
  * what an edit at `time` seconds turns a document into, so that no crest jumps.
  */
 export function rebaseWind(previous: Wind, next: Wind, time: number): Wind {
+  // Where waves came, went or changed places, none was edited: what stands at an index now is another wave.
+  if (next.waves.length !== previous.waves.length) return next;
   const waves = next.waves.map((wave, i) => {
     const old = previous.waves[i];
-    if (old === undefined || old.phase !== wave.phase) return wave;
+    if (old === undefined || old.phase !== wave.phase || previous.waves.includes(wave)) return wave;
     if (old.speed === wave.speed && old.wavelength === wave.wavelength) return wave;
     return { ...wave, phase: rebaseWave(old, wave, time).phase };
   });

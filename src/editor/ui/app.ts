@@ -1,4 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
+import '../studio/drawer.ts';
+import './compare-layer.ts';
 import './grow-panel.ts';
 import './help.ts';
 import './notices.ts';
@@ -14,14 +16,18 @@ import { Part } from './panel.ts';
 class App extends Part {
   protected override render(): TemplateResult {
     const { editor } = this;
-    return html`${this.session.narrow ? this.narrow() : this.wide()}
+    return html`<wg-compare .editor=${editor}></wg-compare>
+      ${this.session.narrow ? this.narrow() : this.wide()}
       <section class="messages" aria-label="Messages"><wg-notices .editor=${editor}></wg-notices></section>
       ${this.hint()}
       <wg-help .editor=${editor}></wg-help>`;
   }
 
   private hint(): TemplateResult | typeof nothing {
-    const { hint } = this.session;
+    const { hint, throwing } = this.session;
+    if (throwing)
+      return html`<section class="hint" aria-label="Throwing gusts"><p>Click the ground to throw a gust.
+        <button type="button" class="text" @click=${() => this.editor.actions.setThrowing(false)}>Stop <kbd>Esc</kbd></button></p></section>`;
     if (!hint) return nothing;
     return html`<section class="hint" aria-label="Hint"><p>${hint}
       <button type="button" class="text" @click=${() => this.editor.actions.hideHint()}>Got it</button></p></section>`;
@@ -40,7 +46,8 @@ class App extends Part {
       <header class="top">${this.heading()}<div class="tools paper"><wg-view .editor=${editor}></wg-view></div></header>
       ${this.side('grow', 'What grows', html`<wg-grow .editor=${editor}></wg-grow><wg-statistics .editor=${editor}></wg-statistics>`)}
       ${this.side('blow', 'What blows', html`<wg-wind .editor=${editor}></wg-wind>`)}
-      <footer class="bottom paper"><wg-time .editor=${editor}></wg-time></footer>`;
+      <footer class="bottom"><wg-studio .editor=${editor} class="paper"></wg-studio>
+        <div class="paper"><wg-time .editor=${editor}></wg-time></div></footer>`;
   }
 
   private side(name: string, title: string, content: TemplateResult): TemplateResult {

@@ -41,7 +41,7 @@ class GrowPanel extends Part {
   private open(event: Event): void {
     const input = event.target as HTMLInputElement;
     const file = input.files?.[0];
-    if (file) this.dispatchEvent(new CustomEvent('species-file', { detail: file, bubbles: true }));
+    if (file) this.dispatchEvent(new CustomEvent('own-file', { detail: file, bubbles: true }));
     input.value = ''; // the same file can be chosen again after it was mended
   }
 

@@ -2,7 +2,7 @@ import { html, type TemplateResult } from 'lit';
 import { DETENTS, type Detent, PANELS, type Panel } from '../session.ts';
 import { Part } from './panel.ts';
 
-const tabNames: Record<Panel, string> = { grow: 'Grow', wind: 'Wind', time: 'Time', view: 'View' };
+const tabNames: Record<Panel, string> = { grow: 'Grow', wind: 'Wind', studio: 'Studio', time: 'Time', view: 'View' };
 const heights: Record<Detent, string> = { bar: 'closed', third: 'a third', 'two-thirds': 'two thirds', all: 'all' };
 
 /** The sheet at the foot of a narrow window: pulled by its handle to a third, two thirds or all of the height. */
@@ -29,6 +29,7 @@ class Sheet extends Part {
     const { editor } = this;
     if (tab === 'grow') return html`<wg-grow .editor=${editor}></wg-grow>`;
     if (tab === 'wind') return html`<wg-wind .editor=${editor}></wg-wind>`;
+    if (tab === 'studio') return html`<wg-studio .editor=${editor}></wg-studio>`;
     if (tab === 'time') return html`<wg-time .editor=${editor}></wg-time>`;
     return html`<wg-view .editor=${editor}></wg-view><wg-statistics .editor=${editor}></wg-statistics>`;
   }
@@ -40,7 +41,8 @@ class Sheet extends Part {
 
   private onTabKey(event: KeyboardEvent): void {
     const { target } = event;
-    if (!(target instanceof HTMLElement) || target.role !== 'tab') return;
+    // The studio in the sheet has tabs of its own.
+    if (!(target instanceof HTMLElement) || target.role !== 'tab' || !target.id.startsWith('tab-')) return;
     const towards = { ArrowRight: 1, ArrowLeft: PANELS.length - 1 }[event.key];
     if (!towards) return;
     event.preventDefault();
@@ -99,10 +101,11 @@ class Sheet extends Part {
   }
 }
 
-/** While a slider is held, the rest of the sheet steps back so that the tree is seen. */
+/** While a slider or a dial is held, the rest of the sheet steps back so that the tree is seen. */
 function hold(event: PointerEvent): void {
-  if (!(event.target instanceof HTMLInputElement) || event.target.type !== 'range') return;
-  const field = event.target.closest('.field') ?? event.target;
+  const held = event.target instanceof Element && event.target.closest('input[type="range"], .dial');
+  if (!held) return;
+  const field = held.closest('.field, .wave-head, .gust-head') ?? held;
   const root = document.documentElement;
   root.classList.add('holding');
   field.classList.add('held');

@@ -1,7 +1,9 @@
 import { html, type PropertyValues, type TemplateResult } from 'lit';
 import { LINK_NUMBERS } from '../../core/link/numbers.ts';
 import type { Wind } from '../../core/wind/wind.ts';
+import { gustMarks } from './gust-marks.ts';
 import { icon } from './icons.ts';
+import './loop-maker.ts';
 import { numberField } from './number-field.ts';
 import { Part } from './panel.ts';
 import { waveform } from './waveform.ts';
@@ -27,37 +29,28 @@ class TimeBar extends Part {
   }
 
   protected override render(): TemplateResult {
-    const { doc, editor } = this;
+    const { editor } = this;
     this.page = Math.floor(editor.actions.time() / PAGE);
-    return html`
-      <div class="transport">
-        <button type="button" class="round" @click=${() => editor.actions.toggle()}
-          aria-label=${doc.paused ? 'Play' : 'Pause'} title=${doc.paused ? 'Play (Space)' : 'Pause (Space)'}>
-          ${icon(doc.paused ? 'play' : 'pause')}</button>
-        <button type="button" class="round" @click=${() => editor.actions.step(1)} aria-label="Single step"
-          title="One step of 1/60 s (.)">${icon('step')}</button>
-      </div>
+    return html`${this.transport()}
       <div class="ruler">
         ${this.wave()}
         <input type="range" id="scrub" aria-label="Time" min=${this.page * PAGE} max=${(this.page + 1) * PAGE} step="any"
           @input=${(e: Event) => editor.actions.seek((e.target as HTMLInputElement).valueAsNumber)}
           @keydown=${(e: KeyboardEvent) => this.nudge(e)}>
+        ${gustMarks(editor, editor.actions.edited().wind.gusts, this.page * PAGE, PAGE)}
         <div class="marks" aria-hidden="true">${[0, 5, 10, 15, 20, 25, 30].map(
           (s) => html`<span style="left: ${(100 * s) / PAGE}%">${this.page * PAGE + s}</span>`,
         )}</div>
+        ${this.catchingUp()}
       </div>
       <span class="amount clock"><input type="number" id="time" aria-label="Time, seconds" min="0" max=${LINK_NUMBERS.t.max}
         step="any" @change=${(e: Event) => this.typed(e)}><span class="unit" aria-hidden="true">s</span></span>
-      ${numberField({
-        ...LINK_NUMBERS.rate,
-        id: 'rate',
-        label: 'Speed',
-        name: 'Speed of time',
-        value: doc.rate,
-        step: 0.05,
-        reset: 1,
-        onInput: (rate) => editor.actions.setRate(rate),
-      })}`;
+      ${this.rate()}
+      <div class="buttons deeds">
+        <button type="button" class="quiet" title="From upwind, now (G)" @click=${() => editor.actions.throwGust()}>
+          ${icon('gust')}<span>Throw a gust</span></button>
+        <wg-loop .editor=${editor}></wg-loop>
+      </div>`;
   }
 
   protected override updated(changes: PropertyValues): void {
@@ -65,13 +58,52 @@ class TimeBar extends Part {
     this.tick(this.editor.actions.time());
   }
 
+  private transport(): TemplateResult {
+    const { doc, editor } = this;
+    const { actions } = editor;
+    const slow = doc.rate < 1;
+    return html`<div class="transport">
+      <button type="button" class="round" @click=${() => actions.step(-1)} aria-label="Step back" title="One step of 1/60 s back (,)">
+        ${icon('back')}</button>
+      <button type="button" class="round" @click=${() => actions.toggle()}
+        aria-label=${doc.paused ? 'Play' : 'Pause'} title=${doc.paused ? 'Play (Space)' : 'Pause (Space)'}>
+        ${icon(doc.paused ? 'play' : 'pause')}</button>
+      <button type="button" class="round" @click=${() => actions.step(1)} aria-label="Single step"
+        title="One step of 1/60 s (.)">${icon('step')}</button>
+      <button type="button" class="round slow" aria-pressed=${slow} @click=${() => actions.toggleSlow()} aria-label="¼×, slow motion"
+        title="Slow motion: a quarter of real time (S)"><span aria-hidden="true">¼×</span></button>
+    </div>`;
+  }
+
+  private rate(): TemplateResult {
+    return numberField({
+      ...LINK_NUMBERS.rate,
+      id: 'rate',
+      label: 'Speed',
+      name: 'Speed of time',
+      value: this.doc.rate,
+      step: 0.05,
+      reset: 1,
+      onInput: (rate) => this.editor.actions.setRate(rate),
+    });
+  }
+
   private wave(): TemplateResult {
-    const { wind, blowing } = this.doc;
+    const { blowing } = this.doc;
+    const { wind } = this.editor.actions.edited();
     const { drawn, page } = this;
     if (drawn?.wind !== wind || drawn.page !== page || drawn.blowing !== blowing) {
       this.drawn = { wind, page, blowing, picture: waveform(wind, blowing, page * PAGE, PAGE) };
     }
     return this.drawn!.picture;
+  }
+
+  /** After a far jump a tree that remembers its past has to live through it first. */
+  private catchingUp(): TemplateResult | '' {
+    const { catchingUp } = this.session;
+    if (catchingUp === null) return '';
+    return html`<p class="catching-up"><progress max="1" .value=${catchingUp} aria-label="The branches catch up"></progress>
+      <span>Branches catch up, ${Math.round(100 * catchingUp)} %</span></p>`;
   }
 
   /** Follows the clock without drawing the whole part again. */

@@ -1,92 +1,114 @@
 import { html, type TemplateResult } from 'lit';
 import { LINK_NUMBERS } from '../../core/link/numbers.ts';
-import { roundWind } from '../../core/link/waves.ts';
-import { presets } from '../../core/wind/presets.ts';
-import type { Wind } from '../../core/wind/wind.ts';
+import { windDirection } from '../../view/wind-direction.ts';
 import { choice, toggle } from './choice.ts';
+import { dial } from './dial.ts';
 import { fold } from './fold.ts';
+import './air-panel.ts';
+import './gust-panel.ts';
+import './mixer.ts';
+import './model-panel.ts';
+import './wind-files.ts';
+import './wind-presets.ts';
+import './wizard.ts';
 import { numberField } from './number-field.ts';
 import { Part } from './panel.ts';
-import { waveCard } from './wave-card.ts';
 
-/** The waves of a wind without what the clock did to their phases. */
-const character = (wind: Wind): string =>
-  JSON.stringify([wind.strength, wind.waves.map(({ phase: _, ...rest }) => rest)]);
-
-/** `fresh-breeze` as `Fresh breeze`. */
-const presetName = (id: string): string => (id[0]!.toUpperCase() + id.slice(1)).replaceAll('-', ' ');
-
-/** What blows: on or off, a preset, four waves. */
+/** What blows: a wind to begin with, its strength and direction, the mixer, gusts, the answer of the branches. */
 class WindPanel extends Part {
   protected override render(): TemplateResult {
     const { doc, editor } = this;
-    const original = roundWind(presets[doc.preset] ?? doc.wind);
-    const edited = character(original) !== character(doc.wind);
+    const { wind, preset } = editor.actions.edited();
+    const original = this.session.winds.find((w) => w.id === preset)?.wind ?? wind;
+    const waves = wind.waves.length === 1 ? 'One wave' : `${wind.waves.length || 'No'} waves`;
     return html`
-      ${toggle('blowing', html`Wind`, doc.blowing, (on) => editor.actions.setBlowing(on), { name: 'Wind', title: 'Wind on or off (B)' })}
-      ${choice({
-        name: 'preset',
-        legend: 'Begin with',
-        value: edited ? null : doc.preset,
-        options: Object.keys(presets).map((value) => ({ value, label: presetName(value) })),
-        onChoose: (id) => editor.actions.setPreset(id),
-      })}
-      ${edited ? html`<p class="edited">${presetName(doc.preset)}, edited. <button type="button" class="text" @click=${() => editor.actions.setPreset(doc.preset)}>Put back</button></p>` : ''}
-      ${numberField({
-        ...LINK_NUMBERS.strength,
-        id: 'strength',
-        label: 'Strength',
-        name: 'Wind strength',
-        value: doc.wind.strength,
-        step: 0.01,
-        reset: original.strength,
-        help: 'A factor on all four waves',
-        onInput: (value) => editor.actions.setStrength(value),
-      })}
-      <div class="waves">${doc.wind.waves.map((wave, i) => waveCard(editor, wave, i, original.waves[i]))}</div>
-      ${fold(editor, 'advanced', 'Advanced', this.advanced(original))}`;
+      <div class="wind-head">${this.side()}${toggle(
+        'blowing',
+        html`Wind`,
+        doc.blowing,
+        (on) => editor.actions.setBlowing(on),
+        {
+          name: 'Wind',
+          title: 'Wind on or off (B)',
+        },
+      )}</div>
+      <wg-wind-presets .editor=${editor}></wg-wind-presets>
+      <div class="steering" @focusin=${() => editor.actions.setHandling(true)} @focusout=${() => editor.actions.setHandling(false)}>${numberField(
+        {
+          ...LINK_NUMBERS.strength,
+          id: 'strength',
+          label: 'Strength',
+          name: 'Wind strength',
+          value: wind.strength,
+          step: 0.01,
+          reset: original.strength,
+          help: 'A factor on all of the wind',
+          onInput: (value) => editor.actions.setStrength(value),
+        },
+      )}
+      ${this.direction()}</div>
+      ${this.overlays()}
+      ${fold(editor, 'wizard', 'Wizard', html`<wg-wizard .editor=${editor}></wg-wizard>`)}
+      ${fold(editor, 'mixer', waves, html`<wg-mixer .editor=${editor}></wg-mixer>`, true)}
+      ${fold(editor, 'gusts', this.gusts(wind.gusts.length), html`<wg-gusts .editor=${editor}></wg-gusts>`)}
+      ${fold(editor, 'model', this.model(wind.model), html`<wg-model .editor=${editor}></wg-model>`)}
+      ${fold(editor, 'air', 'Air and paper', html`<wg-air .editor=${editor}></wg-air>`)}
+      ${fold(editor, 'wind-file', 'Copy, paste, files', html`<wg-wind-files .editor=${editor}></wg-wind-files>`)}`;
   }
 
-  private advanced(original: Wind): TemplateResult {
-    const { doc, editor } = this;
-    return html`
-      ${choice({
-        name: 'pose',
-        legend: 'Branches follow their parents',
-        value: doc.wind.pose,
-        options: [
-          { value: 'exact', label: 'At once', title: 'Depth by depth: no lag' },
-          {
-            value: 'lagged',
-            label: 'One step late',
-            title: 'All at once, parents from the last step, as in the paper',
-          },
-        ],
-        onChoose: (pose) => editor.actions.setPose(pose),
-      })}
-      ${toggle('paper', 'As the paper prints it', doc.wind.paper, (on) => editor.actions.setPaper(on), {
-        title: 'Waves that travel upwind, lengths that change, projected frames (Skjermo 2007)',
-      })}
-      ${numberField({
-        ...LINK_NUMBERS.p,
-        id: 'exponent-force',
-        label: 'Force to the power',
-        value: doc.wind.forceExponent,
-        step: 0.05,
-        reset: original.forceExponent,
-        help: 'Exponent p of the force (equation 16 prints 1.8)',
-        onInput: (value) => editor.actions.setForceExponent(value),
-      })}
-      ${numberField({
-        ...LINK_NUMBERS.m,
-        id: 'exponent-length',
-        label: 'Length to the power',
-        value: doc.wind.lengthExponent,
-        step: 0.05,
-        reset: original.lengthExponent,
-        help: 'Exponent m of the length that divides the force (the paper: 2)',
-        onInput: (value) => editor.actions.setLengthExponent(value),
-      })}`;
+  /** What of the wind is seen in the picture. */
+  private overlays(): TemplateResult {
+    const { actions } = this.editor;
+    const { overlays } = this.doc;
+    return html`<div class="overlays" role="group" aria-label="In the picture">
+      ${toggle('overlay-arrows', 'Arrows', overlays.arrows, (arrows) => actions.setOverlays({ arrows }), { title: 'Arrows of the force over the ground (A)' })}
+      ${toggle('overlay-fronts', 'Fronts', overlays.fronts, (fronts) => actions.setOverlays({ fronts }), { title: 'Fronts of gusts on the ground' })}
+      ${toggle('overlay-handle', 'Handle', overlays.handle, (handle) => actions.setOverlays({ handle }), { title: 'The handle that turns the wind (H)' })}
+    </div>`;
+  }
+
+  private gusts(count: number): TemplateResult {
+    return html`<span>Gusts</span><span class="soft count">${count || ''}</span>`;
+  }
+
+  private model(model: string): TemplateResult {
+    return html`<span>Branches answer</span><span class="soft count">${model}</span>`;
+  }
+
+  /** Which of two winds is changed here. */
+  private side(): TemplateResult | '' {
+    if (!this.doc.compare) return '';
+    return choice({
+      name: 'side',
+      legend: 'Wind that is changed here',
+      quiet: true,
+      value: this.session.side,
+      options: [
+        { value: 'A', label: 'Wind A', title: 'The wind of the left side' },
+        { value: 'B', label: 'Wind B', title: 'The wind of the right side' },
+      ],
+      onChoose: (side) => this.editor.actions.setSide(side),
+    });
+  }
+
+  /** The whole wind as one direction; turning it turns all waves together. */
+  private direction(): TemplateResult {
+    const { actions } = this.editor;
+    const towards = windDirection(actions.edited().wind);
+    const degrees = towards === null ? 0 : Math.round((((towards * 180) / Math.PI + 360) % 360) * 10) / 10;
+    const set = (value: number): void => actions.turnWind((value * Math.PI) / 180);
+    const disabled = towards === null;
+    const typed = (event: Event): void => {
+      const box = event.target as HTMLInputElement;
+      if (box.value !== '' && box.validity.valid) set(box.valueAsNumber);
+      else box.value = String(degrees);
+    };
+    return html`<div class="field whole" ?data-disabled=${disabled}>
+      <label for="direction-number" title="Turns all waves together: 0° to the right of the first view, 90° away from you">Direction</label>
+      ${dial({ id: 'direction', name: 'Wind direction, dial', value: Math.round(degrees), disabled, onInput: set })}
+      <span class="amount"><input type="number" id="direction-number" aria-label="Wind direction, degrees" min="0" max="360" step="any"
+        .value=${String(degrees)} ?disabled=${disabled} @change=${typed}><span class="unit" aria-hidden="true">°</span></span>
+    </div>`;
   }
 }
 

@@ -14,12 +14,13 @@ import type { PackedTree, TexelArray } from '../../core/pack/packed.ts';
 import { layerStart } from '../../core/pack/texel-array.ts';
 import { planeOf, poseOf } from '../../core/wind/pose-plainly.ts';
 import type { Wind } from '../../core/wind/wind.ts';
+import { STEP } from '../step.ts';
 import { TreeTextures } from '../tree-textures.ts';
-import { STEP, WindPass } from '../wind-pass.ts';
+import { WindPass } from '../wind-pass.ts';
 import { windSource } from '../wind-source.ts';
 import { compareLine, PARTS } from './compare.ts';
-import { referencePose } from './pass-checks.ts';
 import { between, direction, type Random, randomStream } from './random.ts';
+import { Reference } from './reference.ts';
 import type { Check } from './report.ts';
 import { runVertices, type VertexRun } from './run-vertices.ts';
 
@@ -116,7 +117,7 @@ export function checkDeformers(renderer: WebGLRenderer, name: string, tree: Pack
   const textures = new TreeTextures(tree, true);
   const pass = new WindPass(textures);
   pass.update(renderer, STEP_NUMBER * STEP, source);
-  const pose = referencePose(tree, source, STEP_NUMBER);
+  const pose = new Reference(tree, source).pose(STEP_NUMBER * STEP);
   const random = randomStream(7);
   const shared = { ...textures.uniforms, poseLog2Width: { value: Math.log2(tree.restPose.width) } };
 

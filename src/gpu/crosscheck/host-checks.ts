@@ -2,10 +2,11 @@ import { Color, Vector4, type WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { PackedTree } from '../../core/pack/packed.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import { CpuPoser } from '../cpu-poser.ts';
+import { STEP } from '../step.ts';
 import { TreeTextures } from '../tree-textures.ts';
-import { STEP, WindPass } from '../wind-pass.ts';
+import { WindPass } from '../wind-pass.ts';
 import { windSource } from '../wind-source.ts';
-import { poseDistance } from './pass-checks.ts';
+import { poseDistance } from './pose-distance.ts';
 import { type Check, check } from './report.ts';
 
 const SOME_STEP = 33;
@@ -83,7 +84,8 @@ export function checkCpuPoser(renderer: WebGLRenderer, name: string, tree: Packe
   const [cpu, gpu] = [false, true].map((gpuPose) => {
     const textures = new TreeTextures(tree, gpuPose);
     const poser = gpuPose ? new WindPass(textures) : new CpuPoser(textures);
-    poser.update(renderer, SOME_STEP * STEP, windSource(wind));
+    do poser.update(renderer, SOME_STEP * STEP, windSource(wind));
+    while (poser.catchingUp !== null);
     const pose = poser.read(renderer);
     poser.dispose();
     textures.dispose();
@@ -91,63 +93,10 @@ export function checkCpuPoser(renderer: WebGLRenderer, name: string, tree: Packe
   });
   const { points } = poseDistance(tree, cpu, gpu);
   return check(
-    `pose on the CPU, ${name}`,
+    `pose on the CPU, ${name}, ${wind.model}`,
     4 * tree.pieceCount,
     points,
     2e-5,
     'of the tree’s height; against the GPU’s',
   );
-}
-
-/** One event of the canvas, or nothing after `milliseconds`. */
-const eventOf = (canvas: HTMLCanvasElement, name: string, milliseconds = 5000): Promise<boolean> =>
-  new Promise((resolve) => {
-    const timer = setTimeout(() => resolve(false), milliseconds);
-    canvas.addEventListener(
-      name,
-      () => {
-        clearTimeout(timer);
-        resolve(true);
-      },
-      { once: true },
-    );
-  });
-
-/**
- * A lost and restored context gives float targets back empty: the pose afterwards must be the one before, in both modes.
- * No sample where this browser cannot lose a context on purpose.
- */
-export async function checkContextLoss(renderer: WebGLRenderer, tree: PackedTree, wind: Wind): Promise<Check[]> {
-  const textures = new TreeTextures(tree, true);
-  const pass = new WindPass(textures);
-  const sources = [windSource({ ...wind, pose: 'exact' }), windSource({ ...wind, pose: 'lagged' })];
-  const pose = (i: number) => {
-    pass.update(renderer, SOME_STEP * STEP, sources[i]);
-    return pass.read(renderer);
-  };
-  const before = sources.map((_, i) => pose(i));
-  const extension = renderer.getContext().getExtension('WEBGL_lose_context');
-  const canvas = renderer.domElement;
-  let restored = false;
-  if (extension) {
-    const lost = eventOf(canvas, 'webglcontextlost');
-    extension.loseContext();
-    if (await lost) {
-      pass.update(renderer, SOME_STEP * STEP, sources[0]); // a frame that falls into the gap does no harm
-      await new Promise((resolve) => setTimeout(resolve)); // not from within the event: browsers refuse that
-      const back = eventOf(canvas, 'webglcontextrestored');
-      extension.restoreContext();
-      restored = await back;
-    }
-  }
-  // Backwards: the last pose before the loss is asked for first, for the same time, and yet must be computed again.
-  const checks: Check[] = [];
-  for (const i of [1, 0]) {
-    const { points } = restored ? poseDistance(tree, pose(i), before[i]) : { points: Number.NaN };
-    const name = `wind pass, ${sources[i].pose}, after a lost context`;
-    checks.push(check(name, restored ? tree.pieceCount : 0, points, 0, 'against the pose before: exact'));
-  }
-  pass.dispose();
-  textures.dispose();
-  return checks;
 }

@@ -1,6 +1,13 @@
-import { bezierArcLength } from '../../core/math/bezier.ts';
+import { arcLength } from '../../core/math/bezier.ts';
 import { addScaled, distance, type Vec3 } from '../../core/math/vec3.ts';
-import { BRANCH_LAYERS, LEAF_LAYERS, PIECE_LAYERS, POSE_TARGETS } from '../../core/pack/layout.ts';
+import {
+  BRANCH_LAYERS,
+  LEAF_LAYERS,
+  MECHANICS,
+  MECHANICS_SIZE,
+  PIECE_LAYERS,
+  POSE_TARGETS,
+} from '../../core/pack/layout.ts';
 import { writeLeaf } from '../../core/pack/leaf-texel.ts';
 import type { PackedTree } from '../../core/pack/packed.ts';
 import { layerStart, texelArray, wordTexels } from '../../core/pack/texel-array.ts';
@@ -61,7 +68,7 @@ export function syntheticTree(pieceCount: number, depths = 7, seed = 1): PackedT
     const tip = poseOf(restPose.data, planeOf(restPose), i).curve.p3;
     pieces.data.set(tip, layerStart(pieces, PIECE_LAYERS.TIP) + 4 * i);
   }
-  return { ...tree, depthStart, ...drawn(tree, depthStart, random) };
+  return { ...tree, depthStart, mechanics: mechanicsOf(tree, depthStart, seed), ...drawn(tree, depthStart, random) };
 }
 
 /** One piece: metres; a child is 0.6 times as long as its parent. */
@@ -76,7 +83,7 @@ function writePiece(
   const d1 = near(random, [1, 0, 0], 0.5);
   const p2 = addScaled([p1x, 0, 0], d1, edge * between(random, 0.8, 1.2));
   const p3 = addScaled(p2, near(random, d1, 0.5), edge * between(random, 0.8, 1.2));
-  const arc = bezierArcLength({ p0: [0, 0, 0], p1: [p1x, 0, 0], p2, p3 });
+  const arc = arcLength({ p0: [0, 0, 0], p1: [p1x, 0, 0], p2, p3 });
   const chain = depth > 0 && random() < 0.25;
   const [w2, w3] = bendWeights(0, 1);
   // The root's x axis is its direction: a quarter turn about -y points it up. Children lean away from their parent.
@@ -88,6 +95,30 @@ function writePiece(
   data.set([...p2, p1x], PIECE_LAYERS.HANDLE * plane + 4 * i);
   data.set([...p3, arc], PIECE_LAYERS.END * plane + 4 * i);
   data.set([0, 0, 0, arc / 3], PIECE_LAYERS.TIP * plane + 4 * i);
+}
+
+/** Each piece a stem of its own that swings, the quicker the shorter; chained pieces too, which makes them no easier. */
+function mechanicsOf(
+  { pieceCount, pieces }: Pick<PackedTree, 'pieceCount' | 'pieces'>,
+  depthStart: Uint32Array,
+  seed: number,
+): Float32Array {
+  const random = randomStream(seed + 1);
+  const out = new Float32Array(MECHANICS_SIZE * pieceCount);
+  const end = layerStart(pieces, PIECE_LAYERS.END);
+  for (let depth = 0, i = 0; i < pieceCount; i++) {
+    while (i >= depthStart[depth + 1]) depth++;
+    const length = pieces.data[end + 4 * i + 3];
+    const at = MECHANICS_SIZE * i;
+    out[at + MECHANICS.Z1] = 1;
+    out[at + MECHANICS.LENGTH] = length;
+    out[at + MECHANICS.RADIUS] = length / 40;
+    out[at + MECHANICS.OMEGA] = Math.min(12, between(random, 1, 3) / 0.7 ** depth);
+    out[at + MECHANICS.LEVEL] = Math.min(depth, 3);
+    out[at + MECHANICS.PHASE] = random();
+    out[at + MECHANICS.FLEXIBILITY] = 1;
+  }
+  return out;
 }
 
 /** A rotation of at most about 70 degrees, half of any rotation. */

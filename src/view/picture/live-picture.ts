@@ -2,26 +2,52 @@ import { Vector3 } from 'three';
 import type { CameraPose } from '../../core/link/link.ts';
 import type { Species } from '../../core/species/species.ts';
 import type { Wind } from '../../core/wind/wind.ts';
+import { SceneOverlays } from '../overlay/scene-overlays.ts';
 import { Stage } from '../stage.ts';
 import { uprightBox } from '../tree-extent.ts';
-import { WindTree } from '../wind-tree.ts';
+import { type Which, WindTree } from '../wind-tree.ts';
+import { type Area, groundAt, metresAPixel, rayAt } from './aim.ts';
 import { placeOf, poseOf } from './camera-pose.ts';
 import { GpuTimer } from './gpu-timer.ts';
 import type { GrownTree } from './grow-tree.ts';
+import { HandleGrip } from './handle-grip.ts';
+import { type Grip, Hands } from './hands.ts';
 import { onScreen, tipsOf } from './on-screen.ts';
 import { Pace } from './pace.ts';
-import type { FrameFigures, Insets, OnScreen, Picture, PictureEvents, Show } from './picture.ts';
+import { type Pane, panesOf } from './panes.ts';
+import type {
+  Compare,
+  FrameFigures,
+  Insets,
+  OnScreen,
+  Overlays,
+  Picture,
+  PictureEvents,
+  Show,
+  TextureImages,
+} from './picture.ts';
+import { PoseGlimpse } from './pose-glimpse.ts';
+import { textureImages } from './texture-images.ts';
 
 /** Milliseconds of a frame on most screens, and the part of the camera's swing that is left after one. */
 const FRAME = 1000 / 60;
 const SWING = 0.9;
+
+/** Pixels that a pointer may be beside a twig. */
+const NEAR = 8;
 
 /** The picture that moves: three's stage with one tree in the wind. */
 export class LivePicture implements Picture {
   readonly canvas = document.createElement('canvas');
   private readonly stage: Stage;
   private readonly tree = new WindTree();
+  private readonly overlays: SceneOverlays;
+  private readonly hands: Hands;
   private readonly events: PictureEvents;
+  private compare: Compare | null = null;
+  private insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
+  /** What picks go by. */
+  private readonly glimpses = { A: this.glimpse('A'), B: this.glimpse('B') };
   private readonly timer: GpuTimer;
   private grown: GrownTree | null = null;
   /** Where the document wants the camera; null: the whole tree. */
@@ -33,7 +59,10 @@ export class LivePicture implements Picture {
   private gliding = false;
   /** What casts shadows has changed since they were drawn. */
   private stale = true;
+  /** Height of the tree in metres: how large what stands around it is. */
+  private reach = 6;
   private time = Number.NaN;
+  private caught: number | null = null;
   private windMs = 0;
   private readonly pace = new Pace();
   private size: [width: number, height: number] = [1, 1];
@@ -49,9 +78,20 @@ export class LivePicture implements Picture {
     this.canvas.tabIndex = 0;
     host.append(this.canvas);
     this.stage = new Stage(this.canvas);
-    this.stage.scene.add(this.tree);
+    this.overlays = new SceneOverlays(this.tree.poseUniforms, this.stage.field);
+    this.stage.scene.add(this.tree, this.overlays);
     this.timer = new GpuTimer(this.stage.renderer.getContext() as WebGL2RenderingContext);
     const { controls } = this.stage;
+    this.hands = new Hands({
+      canvas: this.canvas,
+      grips: [this.wipe(), this.handle()],
+      hold: (on) => {
+        controls.enabled = !on;
+      },
+      press: (x) => this.glimpses[this.paneAt(x).which].ask(this.time),
+      click: (x, y) => this.click(x, y),
+    });
+    this.canvas.addEventListener('wheel', (event) => this.turnWheel(event), { capture: true, passive: false });
     controls.enableDamping = !matchMedia('(prefers-reduced-motion: reduce)').matches;
     controls.addEventListener('start', () => {
       this.held = true;
@@ -74,6 +114,7 @@ export class LivePicture implements Picture {
     }
     const size = (): void => {
       this.size = [host.clientWidth, host.clientHeight];
+      this.overlays.setSize(...this.size);
       this.resize();
       this.place();
       events.onChange();
@@ -87,6 +128,11 @@ export class LivePicture implements Picture {
   }
 
   get moving(): boolean {
+    return this.turning || this.tree.catchingUp !== null;
+  }
+
+  /** The camera moves, or may. */
+  private get turning(): boolean {
     return this.held || this.gliding;
   }
 
@@ -97,13 +143,31 @@ export class LivePicture implements Picture {
   setTree(grown: GrownTree, species: Species): void {
     this.grown = grown;
     this.tree.setTree(grown.packed, species);
-    this.stale = true;
+    const size = uprightBox(grown.packed.bounds).getSize(new Vector3());
+    this.reach = Math.max(size.y, 2);
+    this.overlays.setTree(grown.packed, this.reach, Math.max(size.x, size.z) / 2);
+    this.forgetPoses();
     this.place();
   }
 
   setWind(wind: Wind, fade: number): void {
     this.tree.setWind(wind, { fade });
-    this.stale = true;
+    if (!this.hands.busy) this.overlays.setWind(wind);
+    this.forgetPoses();
+  }
+
+  setCompare(compare: Compare | null, fade: number): void {
+    const { compare: former } = this;
+    this.compare = compare;
+    this.forgetPoses();
+    // A line that moves is no other wind.
+    if (compare?.wind !== former?.wind) this.tree.compareWith(compare?.wind ?? null, { fade: former ? fade : 0 });
+    if (compare?.layout !== former?.layout) this.place();
+  }
+
+  setOverlays(overlays: Overlays): void {
+    this.overlays.set(overlays);
+    this.hands.cursor = overlays.throwing ? 'crosshair' : '';
   }
 
   show({ levelsShown, showLeaves, view }: Show): void {
@@ -115,10 +179,12 @@ export class LivePicture implements Picture {
 
   setDark(dark: boolean): void {
     this.stage.setDark(dark);
+    this.overlays.setDark(dark);
     this.stale = true;
   }
 
   setInsets(insets: Insets): void {
+    this.insets = insets;
     this.stage.setInsets(insets);
     this.place();
   }
@@ -132,7 +198,7 @@ export class LivePicture implements Picture {
     this.keepPace(hurried);
     const { stage, tree } = this;
     const { renderer, controls, camera } = stage;
-    if (!this.moving) {
+    if (!this.turning) {
       camera.position.copy(this.rest.position);
       controls.target.copy(this.rest.target);
     }
@@ -144,10 +210,24 @@ export class LivePicture implements Picture {
     tree.update(renderer, time);
     this.timer.end();
     const submitted = performance.now();
-    const moved = this.stale || time !== this.time;
+    const { catchingUp } = tree;
+    // What a far jump leaves on the screen until it is there does not move.
+    const moved = this.stale || time !== this.time || this.caught !== catchingUp;
+    this.caught = catchingUp;
     // On a slow machine shadows follow every third frame while things move: they cost as much as the tree.
     const shadows = moved && (this.scale === 1 || this.frame % 3 === 0);
-    stage.render(shadows);
+    stage.render(
+      shadows,
+      this.panes.map((pane) => ({
+        ...pane,
+        before: () => {
+          tree.show(pane.which);
+          stage.blow(tree.windSource(pane.which), time);
+          this.overlays.update(time);
+        },
+      })),
+    );
+    tree.show('A');
     this.frame++;
     const drawn = performance.now();
     // Where nothing changed the pass did nothing: its last figure stands.
@@ -156,7 +236,7 @@ export class LivePicture implements Picture {
     this.time = time;
     if (this.gliding && !this.held && !stage.moving) this.settle();
     const { triangles, calls } = renderer.info.render;
-    return { triangles, drawCalls: calls, wind: this.windMs, draw: drawn - start };
+    return { triangles, drawCalls: calls, wind: this.windMs, draw: drawn - start, catchingUp };
   }
 
   tips(): Float32Array {
@@ -171,9 +251,125 @@ export class LivePicture implements Picture {
     return onScreen(this.grown.packed, pose, this.tree, this.stage.camera, this.canvas);
   }
 
+  pickPiece(x: number, y: number): number | null {
+    const { ray } = rayAt(x, y, this.areaAt(x), this.stage.camera);
+    const pose = this.glimpses[this.paneAt(x).which].at(this.time);
+    return this.tree.pick(ray, { pose, near: NEAR * metresAPixel(this.stage.camera, this.size[1]) });
+  }
+
+  pickGround(x: number, y: number): { x: number; y: number } | null {
+    const { camera } = this.stage;
+    // Beyond that the meadow has faded into the sky.
+    return groundAt(x, y, this.areaAt(x), camera, camera.position.length() + 3 * this.reach);
+  }
+
+  async readTextures(which: Which = 'A'): Promise<TextureImages> {
+    const { grown } = this;
+    const back = await this.tree.readBack(this.stage.renderer, which);
+    if (!back || !grown) throw new Error('There is no tree to read.');
+    return textureImages(grown.packed, back.pose, back.state);
+  }
+
+  readPiece(piece: number, which: Which = 'A'): Promise<Float32Array | null> {
+    return this.tree.readPiece(this.stage.renderer, piece, which);
+  }
+
   capture(time: number): string {
+    const { wanted } = this.overlays;
+    // They are of the interface: how the handle glows goes by what the reader did, not by the document.
+    this.overlays.set({ ...wanted, handle: false, highlight: null });
+    let { catchingUp } = this.draw(time, false);
+    // Springs may be on their way to this time; a lost context gets no farther.
+    for (let before = -1; catchingUp !== null && catchingUp !== before; ) {
+      before = catchingUp;
+      catchingUp = this.draw(time, false).catchingUp;
+    }
+    const picture = this.canvas.toDataURL(); // in the same task: the drawing is gone once it was shown
+    this.overlays.set(wanted);
     this.draw(time, false);
-    return this.canvas.toDataURL(); // in the same task: the drawing is gone once it was shown
+    return picture;
+  }
+
+  /** The canvas in the window. */
+  private get area(): Area {
+    return this.canvas.getBoundingClientRect();
+  }
+
+  private get panes(): readonly Pane[] {
+    return panesOf(this.size[0], this.insets, this.compare);
+  }
+
+  private paneAt(x: number): Pane {
+    const { panes } = this;
+    const within = x - this.area.left;
+    return panes.find(({ left, width }) => within >= left && within < left + width) ?? (panes[0] as Pane);
+  }
+
+  /** The canvas in the window as the camera fills it in the pane at x. */
+  private areaAt(x: number): Area {
+    const { left, top, width, height } = this.area;
+    return { left: left + this.paneAt(x).shift, top, width, height };
+  }
+
+  /** The camera zooms to the cursor and knows of one picture: in one of two side by side the cursor is where it would be in that. */
+  private turnWheel(event: WheelEvent): void {
+    const { shift } = this.paneAt(event.clientX);
+    if (shift === 0 || !event.isTrusted) return;
+    event.stopImmediatePropagation();
+    event.preventDefault();
+    const { deltaX, deltaY, deltaMode, clientY, ctrlKey, shiftKey } = event;
+    const clientX = event.clientX - shift;
+    const init = { deltaX, deltaY, deltaMode, clientX, clientY, ctrlKey, shiftKey, bubbles: true, cancelable: true };
+    this.canvas.dispatchEvent(new WheelEvent('wheel', init));
+  }
+
+  private glimpse(which: Which): PoseGlimpse {
+    return new PoseGlimpse(async () => (await this.tree.readBack(this.stage.renderer, which))?.pose ?? null);
+  }
+
+  private forgetPoses(): void {
+    this.glimpses.A.forget();
+    this.glimpses.B.forget();
+    this.stale = true;
+  }
+
+  /** The line between A and B, to drag. */
+  private wipe(): Grip {
+    const split = (): boolean => this.compare?.layout === 'split';
+    const at = (): number => this.area.left + (this.panes[1]?.left ?? 0);
+    return {
+      cursor: 'ew-resize',
+      distance: (x) => (split() && this.events.onWipe ? Math.abs(x - at()) : null),
+      anchor: () => ({ x: at(), y: 0 }),
+      drag: (x, _y, done) => {
+        const { left, width } = this.area;
+        this.events.onWipe?.(Math.min(1, Math.max(0, (x - left) / width)), done);
+      },
+      hover: () => {},
+    };
+  }
+
+  private handle(): Grip {
+    return new HandleGrip(this.overlays.handle, {
+      areaAt: (x) => this.areaAt(x),
+      camera: this.stage.camera,
+      tell: (direction, strength, done) => {
+        this.overlays.touch();
+        this.events.onHandle?.(direction, strength, done);
+      },
+      redraw: this.events.onChange,
+    });
+  }
+
+  private click(x: number, y: number): void {
+    const { onPickBranch, onThrow } = this.events;
+    const piece = onPickBranch && !this.overlays.wanted.throwing ? this.pickPiece(x, y) : null;
+    if (onPickBranch && piece !== null) {
+      onPickBranch(piece);
+      return;
+    }
+    const ground = onThrow ? this.pickGround(x, y) : null;
+    if (ground) onThrow?.(ground.x, ground.y);
   }
 
   private resize(): void {
@@ -209,7 +405,7 @@ export class LivePicture implements Picture {
     if (this.grown) {
       const box = uprightBox(this.grown.packed.bounds);
       if (wished) stage.setSubject(box);
-      else stage.frame(box);
+      else stage.frame(box, { columns: this.compare?.layout === 'side' ? 2 : 1 });
     }
     if (wished) placeOf(wished, rest.position, rest.target);
     else {

@@ -32,6 +32,55 @@ export interface FrameFigures {
   /** Milliseconds of the wind pass, and of the whole drawing as far as the page waits for it. */
   readonly wind: number;
   readonly draw: number;
+  /** Part (0..1) of the way to the wished time that a far jump has made; null: what is drawn is of the wished time. */
+  readonly catchingUp: number | null;
+}
+
+/** A second wind on the same tree, clock and camera. */
+export interface Compare {
+  readonly wind: Wind;
+  /** `split`: one picture, A left of a line and B right of it; `side`: two pictures side by side. */
+  readonly layout: 'split' | 'side';
+  /** Place of the line, 0..1 of the picture's width; `side` has it in the middle of what the insets leave. */
+  readonly at: number;
+}
+
+/** What is drawn in the scene beside the tree. */
+export interface Overlays {
+  /** Arrows of the force over the ground. */
+  readonly arrows: boolean;
+  /** Fronts of gusts, as bands that sweep over the meadow. */
+  readonly fronts: boolean;
+  /** The ring with which the wind is turned. */
+  readonly handle: boolean;
+  /** Piece that the probe sticks to, at its end. */
+  readonly probe: number | null;
+  /** Piece that stands out. */
+  readonly highlight: number | null;
+  /** The next click throws a gust: the cursor says so, and branches are not picked. */
+  readonly throwing?: boolean;
+  /** A control that does what the handle does has the focus: the handle looks as if it were held. */
+  readonly handling?: boolean;
+}
+
+/** One state texture, read back. */
+export interface TextureLayer {
+  readonly id: 'P0' | 'P1' | 'P2' | 'P3' | 'Q' | 'BASE' | 'END';
+  /** What its four numbers are, and in what unit. */
+  readonly label: string;
+  readonly unit: string;
+  /** 4 a texel, row by row; piece i is texel i. */
+  readonly data: Float32Array;
+}
+
+/** The state of all pieces as images. */
+export interface TextureImages {
+  /** Texels. */
+  readonly width: number;
+  readonly height: number;
+  /** Texels in use. */
+  readonly pieceCount: number;
+  readonly layers: readonly TextureLayer[];
 }
 
 /** What a page shows a tree on: the stage, or a still drawing where there is no WebGL2. */
@@ -39,6 +88,9 @@ export interface Picture {
   setTree(grown: GrownTree, species: Species): void;
   /** Lets `wind` blow after `fade` seconds of change; 0: at once. */
   setWind(wind: Wind, fade: number): void;
+  /** Draws B beside A: `compare.wind` fades in as `setWind` does; null: A alone, and B costs nothing. */
+  setCompare(compare: Compare | null, fade: number): void;
+  setOverlays(overlays: Overlays): void;
   show(how: Show): void;
   setDark(dark: boolean): void;
   setInsets(insets: Insets): void;
@@ -48,7 +100,7 @@ export interface Picture {
   readonly camera: CameraPose;
   /** What takes the keyboard's focus for the picture. */
   readonly canvas: HTMLElement;
-  /** The camera is on its way: each frame differs from the last. */
+  /** The camera is on its way, or a far jump in time is: each frame differs from the last. */
   readonly moving: boolean;
   /** Draws the tree at `time` seconds; `hurried`: another frame follows at once. */
   draw(time: number, hurried: boolean): FrameFigures;
@@ -56,6 +108,14 @@ export interface Picture {
   tips(): Float32Array;
   /** Where the branches were drawn last, in pixels of the window, and the horizon's row: for tests. */
   onScreen(): OnScreen;
+  /** The piece at a point of the window (CSS pixels), in the pose as drawn lately or else at rest; null: none. */
+  pickPiece(x: number, y: number): number | null;
+  /** Where the ground is at a point of the window; metres, tree space; null: the sky. */
+  pickGround(x: number, y: number): { x: number; y: number } | null;
+  /** The state textures of A or B, read back without holding up a frame. Rejects where there is no tree. */
+  readTextures(which?: 'A' | 'B'): Promise<TextureImages>;
+  /** The 16 numbers of a piece's pose (P0 to P3, 4 each) as drawn last; null where there is no such piece. */
+  readPiece(piece: number, which?: 'A' | 'B'): Promise<Float32Array | null>;
   /** Draws the tree at `time` seconds without the interface, as a data: address of a PNG. */
   capture(time: number): string;
 }
@@ -68,4 +128,12 @@ export interface PictureEvents {
   readonly onCamera: (camera: CameraPose) => void;
   /** The GPU was taken away (true), or came back. */
   readonly onLost: (lost: boolean) => void;
+  /** The reader turns the wind: radians from x to y in tree space, strength 0..1; `done`: let go. */
+  readonly onHandle?: (direction: number, strength: number, done: boolean) => void;
+  /** The reader clicked on a branch. */
+  readonly onPickBranch?: (piece: number) => void;
+  /** The reader clicked on the ground, metres, tree space: there a gust may start. */
+  readonly onThrow?: (x: number, y: number) => void;
+  /** The reader drags the line between A and B: its place, 0..1; `done`: let go. */
+  readonly onWipe?: (at: number, done: boolean) => void;
 }

@@ -4,15 +4,19 @@ import {
   ALL_LEVELS,
   decodeLink,
   encodeLink,
+  LAYOUTS,
   type LinkDocument,
+  OVERLAYS,
+  OWN_WIND,
   roundDocument,
   THEMES,
   VIEW_MODES,
 } from '../../../src/core/link/link.ts';
-import type { Wave, Wind } from '../../../src/core/wind/wind.ts';
+import { type Gust, STILL, type Wave, type Wind, type WindRecord } from '../../../src/core/wind/wind.ts';
 
 const wave = (amplitude: number): Wave => ({
   on: true,
+  solo: false,
   amplitude,
   direction: 0.3,
   wavelength: 12,
@@ -20,17 +24,31 @@ const wave = (amplitude: number): Wave => ({
   sharpness: 2,
   phase: 0.25,
 });
-const wind = (name: string): Wind => ({
+const record: WindRecord = { name: 'A mast', step: 1, speed: [1, 2], direction: [0, 0.1] };
+const gust: Gust = {
+  start: 3,
+  x: 0,
+  y: 1,
+  direction: 0,
+  speed: 8,
+  amplitude: 0.15,
+  rise: 0.8,
+  fall: 2.5,
+  width: 30,
+  repeat: 0,
+};
+const wind = (name: string, more: Partial<Wind> = {}): Wind => ({
+  ...STILL,
   name,
-  strength: 1,
   waves: [0.4, 0.3, 0.2, 0.1].map(wave),
-  model: 'direct',
-  pose: 'exact',
-  forceExponent: 1,
   lengthExponent: 1,
-  paper: false,
+  ...more,
 });
-const winds = { breeze: wind('Breeze'), gale: wind('Gale') };
+const winds = {
+  breeze: wind('Breeze'),
+  gale: wind('Gale', { waves: [0.5, 0.4, 0.3, 0.2, 0.1, 0.05].map(wave), gusts: [gust], zeroMean: true }),
+  recorded: wind('Recorded', { waves: [], record }),
+};
 const defaults: LinkDocument = roundDocument({
   species: 'quaking-aspen',
   ownSpecies: null,
@@ -43,15 +61,19 @@ const defaults: LinkDocument = roundDocument({
   showLeaves: true,
   view: 'shaded',
   theme: 'auto',
+  overlays: OVERLAYS,
+  probe: null,
   blowing: true,
   preset: 'breeze',
   wind: winds.breeze,
+  compare: null,
 });
 const options = { defaults, species: ['quaking-aspen', 'black-tupelo'], winds };
 
 const number = (min: number, max: number) => fc.double({ min, max, noNaN: true });
-const anyWave = fc.record({
+const anyWave: fc.Arbitrary<Wave> = fc.record({
   on: fc.boolean(),
+  solo: fc.boolean(),
   amplitude: number(0, 10),
   direction: number(-7, 7),
   wavelength: number(0.1, 500),
@@ -59,45 +81,93 @@ const anyWave = fc.record({
   sharpness: number(0.1, 40),
   phase: number(-2, 2),
 });
-const anyDocument: fc.Arbitrary<LinkDocument> = fc.record({
-  species: fc.constantFrom('quaking-aspen', 'black-tupelo'),
-  ownSpecies: fc.constant(null),
-  seed: fc.nat(4294967295),
-  time: number(0, 1e6),
-  paused: fc.boolean(),
-  rate: number(0.1, 2),
-  camera: fc.option(
-    fc.record({
-      azimuth: number(-400, 400),
-      elevation: number(-90, 90),
-      distance: number(0.01, 1e4),
-      target: fc.tuple(number(-1e4, 1e4), number(-1e4, 1e4), number(-1e4, 1e4)),
-    }),
-  ),
-  levelsShown: fc.integer({ min: 1, max: 9 }),
-  showLeaves: fc.boolean(),
-  view: fc.constantFrom(...VIEW_MODES),
-  theme: fc.constantFrom(...THEMES),
-  blowing: fc.boolean(),
-  preset: fc.constantFrom('breeze', 'gale'),
-  wind: fc
-    .record({
-      strength: number(0, 1),
-      waves: fc.tuple(anyWave, anyWave, anyWave, anyWave),
-      p: number(0.1, 4),
-      m: number(0, 4),
-    })
-    .chain(({ strength, waves, p, m }) =>
-      fc.record({ pose: fc.constantFrom('exact' as const, 'lagged' as const), paper: fc.boolean() }).map((rest) => ({
-        ...winds.breeze,
-        ...rest,
-        strength,
-        waves: [...waves],
-        forceExponent: p,
-        lengthExponent: m,
-      })),
-    ),
+const anyGust: fc.Arbitrary<Gust> = fc.record({
+  start: number(-3600, 1e6),
+  x: number(-1e4, 1e4),
+  y: number(-1e4, 1e4),
+  direction: number(-7, 7),
+  speed: number(0.1, 100),
+  amplitude: number(0, 10),
+  rise: number(0.01, 600),
+  fall: number(0.01, 600),
+  width: number(0, 1e4),
+  repeat: fc.oneof(fc.constant(0), number(0, 3600)),
 });
+const orNull = (value: fc.Arbitrary<number>) => fc.option(value, { nil: null });
+const anyWind: fc.Arbitrary<Wind> = fc.record({
+  name: fc.string({ unit: 'binary', maxLength: 100 }),
+  description: fc.string({ unit: 'grapheme', maxLength: 240 }),
+  strength: number(0, 1),
+  waves: fc.array(anyWave, { maxLength: 8 }),
+  gusts: fc.array(anyGust, { maxLength: 16 }),
+  profile: fc.record({
+    kind: fc.constantFrom('none', 'log', 'power'),
+    height: number(0.1, 1000),
+    roughness: number(1e-4, 10),
+    exponent: number(0, 1),
+  }),
+  zeroMean: fc.boolean(),
+  record: fc.constantFrom(null, record),
+  stiffness: number(0.05, 20),
+  model: fc.constantFrom('direct', 'spring', 'sway'),
+  spring: fc.record({
+    frequency: number(0.05, 20),
+    damping: number(0.005, 10),
+    inertia: number(0, 1),
+    levels: fc.array(fc.record({ frequency: orNull(number(0.05, 20)), damping: orNull(number(0.005, 10)) }), {
+      maxLength: 4,
+    }),
+  }),
+  sway: fc.record({
+    speed: number(0, 100),
+    gust: number(0, 100),
+    reading: fc.constantFrom('ratio', 'cantilever'),
+    rate: number(0.001, 1e4),
+  }),
+  pose: fc.constantFrom('exact', 'lagged'),
+  forceExponent: number(0.1, 4),
+  lengthExponent: number(0, 4),
+  paper: fc.boolean(),
+});
+/** A wind under the id of one that ships has its name and description; one of the reader's own brings them along. */
+const named = (preset: string, of: Wind): { preset: string; wind: Wind } => {
+  const base = Object.entries(winds).find(([id]) => id === preset)?.[1];
+  return { preset, wind: base ? { ...of, name: base.name, description: base.description } : of };
+};
+const anyNamed = fc
+  .tuple(fc.constantFrom('breeze', 'gale', 'recorded', OWN_WIND), anyWind)
+  .map(([preset, of]) => named(preset, of));
+const anyDocument: fc.Arbitrary<LinkDocument> = fc
+  .record({
+    species: fc.constantFrom('quaking-aspen', 'black-tupelo'),
+    ownSpecies: fc.constant(null),
+    seed: fc.nat(4294967295),
+    time: number(0, 1e6),
+    paused: fc.boolean(),
+    rate: number(0.1, 2),
+    camera: fc.option(
+      fc.record({
+        azimuth: number(-400, 400),
+        elevation: number(-90, 90),
+        distance: number(0.01, 1e4),
+        target: fc.tuple(number(-1e4, 1e4), number(-1e4, 1e4), number(-1e4, 1e4)),
+      }),
+    ),
+    levelsShown: fc.integer({ min: 1, max: 9 }),
+    showLeaves: fc.boolean(),
+    view: fc.constantFrom(...VIEW_MODES),
+    theme: fc.constantFrom(...THEMES),
+    overlays: fc.record({ arrows: fc.boolean(), fronts: fc.boolean(), handle: fc.boolean() }),
+    probe: orNull(fc.nat(4294967295)),
+    blowing: fc.boolean(),
+    first: anyNamed,
+    compare: fc.option(
+      fc
+        .record({ layout: fc.constantFrom(...LAYOUTS), at: number(0, 1), other: anyNamed })
+        .map(({ other, ...rest }) => ({ ...rest, ...other })),
+    ),
+  })
+  .map(({ first, ...rest }) => ({ ...rest, ...first }));
 
 describe('link', () => {
   it('gives back the document, rounded, and rounding again changes nothing', () => {
@@ -106,11 +176,7 @@ describe('link', () => {
         const rounded = roundDocument(document);
         const back = decodeLink(encodeLink(document), options);
         expect(back.faults).toEqual([]);
-        // The name of the wind is the preset's: the link holds its id.
-        expect(back.document).toEqual({
-          ...rounded,
-          wind: { ...rounded.wind, name: winds[rounded.preset as 'gale'].name },
-        });
+        expect(back.document).toEqual(rounded);
         expect(roundDocument(rounded)).toEqual(rounded);
         expect(encodeLink(back.document)).toBe(encodeLink(document));
       }),
@@ -121,8 +187,68 @@ describe('link', () => {
     const link = encodeLink({ ...defaults, seed: 7, time: 12.5, paused: true });
     expect(link).toBe(
       's=quaking-aspen&seed=7&t=12.5&paused=1&wind=breeze&strength=1&w1=0.4,17.2,12,3,2,0.25&w2=0.3,17.2,12,3,2,0.25' +
-        '&w3=0.2,17.2,12,3,2,0.25&w4=0.1,17.2,12,3,2,0.25&p=1&m=1',
+        '&w3=0.2,17.2,12,3,2,0.25&w4=0.1,17.2,12,3,2,0.25&model=spring&p=1&m=1',
     );
+  });
+
+  it('reads links from the time of four waves and one model as they were meant, whatever the winds are now', () => {
+    const old =
+      's=quaking-aspen&seed=7&t=2&wind=gale&strength=0.8&w1=0.4,17.2,12,3,2,0.25&w2=0.3,0,12,3,2,0.25,off' +
+      '&w3=0.2,0,12,3,2,0&w4=0.1,90,12,3,2,0.5&p=1.8&m=2&pose=lagged&paper=1';
+    const { document, faults } = decodeLink(old, options);
+    expect(faults).toEqual([]);
+    const { wind } = document;
+    expect(wind).toMatchObject({ model: 'direct', strength: 0.8, forceExponent: 1.8, lengthExponent: 2 });
+    expect(wind).toMatchObject({ pose: 'lagged', paper: true, zeroMean: false, gusts: [], record: null, stiffness: 1 });
+    expect(wind.profile).toEqual(STILL.profile);
+    expect(wind.waves.map((w) => [w.amplitude, w.on, w.solo])).toEqual([
+      [0.4, true, false],
+      [0.3, false, false],
+      [0.2, true, false],
+      [0.1, true, false],
+    ]);
+    expect(document.compare).toBeNull();
+    expect(document.overlays).toEqual(OVERLAYS);
+  });
+
+  it('takes a line that somebody typed as a change of the wind that it names', () => {
+    const { document, faults } = decodeLink('wind=gale&stiff=2&w2=0.9,0,5,1,1,0,solo', options);
+    expect(faults).toEqual([]);
+    expect(document.wind).toMatchObject({ model: 'spring', stiffness: 2, zeroMean: true, gusts: [gust] });
+    expect(document.wind.waves).toHaveLength(6);
+    expect(document.wind.waves[1]).toMatchObject({ amplitude: 0.9, solo: true });
+    expect(decodeLink('wind=recorded', options).document.wind.record).toBe(record);
+    expect(decodeLink('rec=sample', options).document.wind.record).toBe(record);
+  });
+
+  it('reads gusts with a repeat and without one, and lets none come again before it is over', () => {
+    const gustsOf = (link: string) => {
+      const { document, faults } = decodeLink(link, options);
+      expect(faults).toEqual([]);
+      return document.wind.gusts;
+    };
+    const g = '3,0,1,0,8,0.15,0.8,2.5,30';
+    expect(gustsOf(`g1=${g}`)).toEqual([gust]);
+    expect(gustsOf(`g1=${g},40&g2=${g}`)).toEqual([{ ...gust, repeat: 40 }, gust]);
+    expect(gustsOf(`g1=${g},2`)).toEqual([{ ...gust, repeat: 5 }]);
+    const of = (gusts: Gust[]) => encodeLink({ ...defaults, wind: { ...defaults.wind, gusts } });
+    expect(of([gust, { ...gust, repeat: 40 }])).toContain(`g1=${g}&g2=${g},40&`);
+  });
+
+  it('says that a measured wind of the reader is not in a link', () => {
+    const own = { ...defaults, wind: { ...defaults.wind, record: { ...record, name: 'mine.csv' } } };
+    const { document, faults } = decodeLink(encodeLink(own), options);
+    expect(faults.map((f) => [f.key, f.found])).toEqual([['rec', 'mine.csv']]);
+    expect(faults[0]!.allowed).toContain('open a record of your own again');
+    expect(document.wind).toEqual(defaults.wind);
+  });
+
+  it('compares a wind with one of which little is said', () => {
+    const { document, faults } = decodeLink('wind=gale&compare=side,0.3&b.model=direct&b.wind=breeze', options);
+    expect(faults).toEqual([]);
+    expect(document.compare).toMatchObject({ layout: 'side', at: 0.3, preset: 'breeze' });
+    expect(document.compare!.wind.model).toBe('direct');
+    expect(document.preset).toBe('gale');
   });
 
   it('carries a species file of the reader, whatever letters it has', () => {
@@ -158,6 +284,22 @@ describe('link', () => {
     ['w1=', 'w1', ''],
     ['w2=0.3,17.2,12,-3,2,0.25', 'w2 speed', '-3'],
     ['w3=0.2,17.2,0,3,2,0.25,off', 'w3 wavelength', '0'],
+    ['w1=0.4,17.2,12,3,2,0.25,loud', 'w1', '0.4,17.2,12,3,2,0.25,loud'],
+    ['w9=0.4,17.2,12,3,2,0.25', 'w9', '0.4,17.2,12,3,2,0.25'],
+    ['waves=9', 'waves', '9'],
+    ['g1=1,2,3', 'g1', '1,2,3'],
+    ['g1=3,0,1,0,8,0.15,0.8,2.5,30,-1', 'g1', '3,0,1,0,8,0.15,0.8,2.5,30,-1'],
+    ['model=rubber', 'model', 'rubber'],
+    ['profile=steep,1,1,1', 'profile', 'steep,1,1,1'],
+    ['profile=log,10,-1,0.2', 'profile roughness', '-1'],
+    ['levelhz=grown,fast', 'levelhz level 1', 'fast'],
+    ['sway=ratio,1,2', 'sway', 'ratio,1,2'],
+    ['rec=tornado', 'rec', 'tornado'],
+    ['compare=split', 'compare', 'split'],
+    ['compare=split,2', 'compare place of the line', '2'],
+    ['b.w1=0', 'b.w1', '0'],
+    ['probe=-1', 'probe', '-1'],
+    ['arrows=maybe', 'arrows', 'maybe'],
     ['own=%%%', 'own', '%%%'],
     ['own=gICA', 'own', 'gICA'],
     ['tiger=1', 'tiger', '1'],
@@ -167,18 +309,53 @@ describe('link', () => {
     expect(faults[0]!.allowed).not.toBe('');
     const on = !bad.endsWith('off');
     const waves = defaults.wind.waves.map((w, i) => (i === 2 ? { ...w, on } : w));
-    expect(document).toEqual({ ...defaults, showLeaves: false, wind: { ...defaults.wind, waves } });
+    expect({
+      ...document,
+      compare: null,
+      wind: { ...document.wind, profile: STILL.profile, spring: STILL.spring },
+    }).toEqual({
+      ...defaults,
+      showLeaves: false,
+      wind: { ...defaults.wind, waves },
+    });
   });
 
   it('never throws', () => {
     fc.assert(
       fc.property(
         fc.string(),
-        fc.constantFrom('', 's=', 'seed=', 'cam=', 'w1=', 'own=', 'own=e', 't=1'),
+        fc.constantFrom(
+          '',
+          's=',
+          'cam=',
+          'w1=',
+          'g1=',
+          'own=e',
+          't=1',
+          'wind=own&name=',
+          'profile=log',
+          'levelhz=',
+          'b.w1=',
+        ),
         (text, start) => {
           expect(encodeLink(decodeLink(start + text, options).document)).toBeTypeOf('string');
         },
       ),
     );
   });
+});
+
+it('what is no number becomes one that a link can hold', () => {
+  const odd = {
+    ...defaults,
+    time: Number.NaN,
+    wind: {
+      ...defaults.wind,
+      stiffness: Number.NaN,
+      waves: [{ ...wave(0.1), direction: Number.NaN, speed: Number.POSITIVE_INFINITY }],
+    },
+  };
+  const link = encodeLink(odd);
+  expect(link).not.toMatch(/NaN|Infinity/);
+  expect(decodeLink(link, options)).toEqual({ document: roundDocument(odd), faults: [] });
 });

@@ -1,10 +1,13 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import {
+  arcLength,
   bezierArcLength,
   bezierDerivative,
   bezierPoint,
   bezierSecondDerivative,
+  type Cubic,
+  holdArc,
   rescaleArc,
 } from '../../../src/core/math/bezier.ts';
 import { distance, scale, subtract, type Vec3 } from '../../../src/core/math/vec3.ts';
@@ -39,6 +42,23 @@ test('arc length is within 4e-5 of a fine polyline for branches', () => {
       expect(Math.abs(bezierArcLength(c) / sum - 1)).toBeLessThan(4e-5);
     }),
     { numRuns: 20 },
+  );
+});
+
+test('arc length holds to 1e-4 where edges fold by 105 degrees either way, and differ in length twice', () => {
+  const angle = fc.double({ min: -1.83, max: 1.83, noNaN: true });
+  const edge = fc.double({ min: 0.7, max: 1.4, noNaN: true });
+  fc.assert(
+    fc.property(angle, angle, edge, edge, (a, b, m, n) => {
+      const p1: Vec3 = [1, 0, 0];
+      const p2: Vec3 = [1 + m * Math.cos(a), m * Math.sin(a), 0];
+      const c: Cubic = { p0: [0, 0, 0], p1, p2, p3: [p2[0] + n * Math.cos(a + b), p2[1] + n * Math.sin(a + b), 0] };
+      let sum = 0;
+      for (let i = 0; i < 2000; i++) sum += distance(bezierPoint(c, i / 2000), bezierPoint(c, (i + 1) / 2000));
+      expect(Math.abs(arcLength(c) / sum - 1)).toBeLessThan(1e-4);
+      expect(Math.abs(arcLength(holdArc(c, 2.5)) - 2.5)).toBeLessThan(1e-9);
+    }),
+    { numRuns: 60 },
   );
 });
 

@@ -1,5 +1,15 @@
 import { expect, it } from 'vitest';
-import { BRANCH_LAYERS, LEAF_LAYERS, PIECE_LAYERS, POSE_TARGETS } from '../../../src/core/pack/layout.ts';
+import {
+  BRANCH_LAYERS,
+  LEAF_LAYERS,
+  MECHANICS,
+  MECHANICS_SIZE,
+  PIECE_LAYERS,
+  POSE_TARGETS,
+  SPRING_LAYERS,
+  STATE_TARGETS,
+  SWAY_LAYERS,
+} from '../../../src/core/pack/layout.ts';
 import { layoutGlsl } from '../../../src/core/pack/layout-glsl.ts';
 
 it('states every layer of the tables as a GLSL constant', () => {
@@ -12,13 +22,26 @@ it('states every layer of the tables as a GLSL constant', () => {
     BRANCH_STEM: BRANCH_LAYERS.STEM,
     LEAF_LEAF: LEAF_LAYERS.LEAF,
     POSE_P3: POSE_TARGETS.P3,
+    SPRING_LOAD: SPRING_LAYERS.LOAD,
+    STATE_END: STATE_TARGETS.END,
+    SWAY_OFFSET: SWAY_LAYERS.OFFSET,
   });
-  expect(stated).toHaveLength(5 + 2 + 1 + 4);
+  expect(stated).toHaveLength(5 + 2 + 1 + 4 + 3 + 3 + 2);
   expect(glsl).toContain('ivec3 texelAt(int index, int log2Width, int layer)');
 });
 
 it('numbers the layers of each table from 0 without a gap', () => {
-  for (const table of [PIECE_LAYERS, BRANCH_LAYERS, LEAF_LAYERS, POSE_TARGETS]) {
+  for (const table of [
+    PIECE_LAYERS,
+    BRANCH_LAYERS,
+    LEAF_LAYERS,
+    POSE_TARGETS,
+    SPRING_LAYERS,
+    STATE_TARGETS,
+    SWAY_LAYERS,
+    MECHANICS,
+  ]) {
     expect(Object.values(table)).toEqual(Object.keys(table).map((_, i) => i));
   }
+  expect(Object.keys(MECHANICS)).toHaveLength(MECHANICS_SIZE);
 });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { bezierArcLength, bezierPoint, type Cubic } from '../../../src/core/math/bezier.ts';
+import { arcLength, bezierArcLength, bezierPoint, type Cubic } from '../../../src/core/math/bezier.ts';
 import { handlesOf, sectionFrame } from '../../../src/core/math/frames.ts';
 import { combine, hashUnit } from '../../../src/core/math/hash.ts';
 import { matrixFromQuaternion, type Quaternion, writeQuaternion } from '../../../src/core/math/quaternion.ts';
@@ -8,6 +8,7 @@ import {
   RECORD,
   recordArc,
   recordFrame,
+  recordLength,
   recordParameter,
   recordPoint,
   transportRecord,
@@ -46,6 +47,7 @@ describe('records against the reference of core/math', () => {
       recordPoint(record, at, u, out);
       expectClose(out, 0, bezierPoint(curve, u));
       expect(recordArc(record, at, 1)).toBeCloseTo(bezierArcLength(curve), 12);
+      expect(recordLength(record, at)).toBeCloseTo(arcLength(curve), 12);
       expectClose(record, at + 12, [handles.t0, handles.t1, handles.t2].flat());
       recordFrame(record, at, u, out);
       expectClose(out, 0, sectionFrame(curve, handles, u).flat());

@@ -44,7 +44,7 @@ export function poseAtRest(pieces: Pieces): Pose[] {
         : attachPiece(poses[parent].curve, poses[parent].o, rest);
     const f = (a: Vec3): Vec3 => [Math.fround(a[0]), Math.fround(a[1]), Math.fround(a[2])];
     const { p0, p1, p2, p3 } = pose.curve;
-    poses.push({ curve: { p0: f(p0), p1: f(p1), p2: f(p2), p3: f(p3) }, o: f(pose.o), angle: 0 });
+    poses.push({ curve: { p0: f(p0), p1: f(p1), p2: f(p2), p3: f(p3) }, o: f(pose.o), stir: 0 });
   }
   return poses;
 }

@@ -2,8 +2,8 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { jsonFault } from '../../../src/core/species/json-fault.ts';
-import { faultText, parseSpecies } from '../../../src/core/species/parse.ts';
+import { faultText } from '../../../src/core/file/fault.ts';
+import { parseSpecies } from '../../../src/core/species/parse.ts';
 import { folder, shipped } from '../grow/species.ts';
 
 type Json = Record<string, unknown>;
@@ -94,36 +94,6 @@ describe('one fault, at its path, with what was found and what is allowed', () =
 
 test('a byte order mark before the file is no fault', () => {
   expect(parseSpecies(`\ufeff${text}`)).toEqual(parseSpecies(text));
-});
-
-describe('the place of a fault in JSON', () => {
-  test.each([
-    ['{"a": 1,}', 8],
-    ['[1 2]', 3],
-    ['[1,]', 3],
-    ['{"a" 1}', 5],
-    ['{a: 1}', 1],
-    ['{"a": 01}', 7],
-    ['{"a": "b\n"}', 6],
-    ['{"a": tru}', 6],
-    ['[]]', 2],
-    ['[1}', 2],
-    ['{]', 1],
-    ["{'a': 1}", 1],
-    ['1 // one', 2],
-  ])('%j', (input, index) => {
-    expect(() => JSON.parse(input)).toThrow();
-    expect(jsonFault(input)).toBe(index);
-  });
-
-  test('there is none in what JSON.parse takes', () => {
-    fc.assert(
-      fc.property(fc.json(), (json) => {
-        expect(jsonFault(json)).toBe(json.length);
-      }),
-    );
-    expect(jsonFault(text)).toBe(text.length);
-  });
 });
 
 test('all faults are found at once, and read as a sentence', () => {

@@ -1,6 +1,6 @@
 import { join } from 'node:path';
 import { describe, expect, test } from 'vitest';
-import { isAllowed } from '../../../src/core/species/allowed.ts';
+import { isAllowed } from '../../../src/core/file/allowed.ts';
 import { describeParameters } from '../../../src/core/species/describe.ts';
 import { defaultOf, GROUPS, PARAMETERS } from '../../../src/core/species/parameters.ts';
 import { speciesJsonSchema } from '../../../src/core/species/schema.ts';

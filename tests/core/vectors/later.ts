@@ -1,6 +1,5 @@
 /** Functions of the cases that belong to features not built yet. A name leaves this list when its adapter arrives. */
 export const later: readonly string[] = [
-  'wp_sway_deg',
   'murray',
   'half_move',
   'mitre_corner',

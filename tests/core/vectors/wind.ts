@@ -8,9 +8,17 @@ import {
   decomposeAttachment,
   rotationOfAngles,
 } from '../../../src/core/wind/attach-angles.ts';
-import { bendStep, bendVector, bendWeights } from '../../../src/core/wind/bend.ts';
-import { appendWaves, linearWindForce, meanPush, type Waves, windForce } from '../../../src/core/wind/force.ts';
-import type { Wave, Wind } from '../../../src/core/wind/wind.ts';
+import { bendStep, bendVector, bendWeights, weightedPush } from '../../../src/core/wind/bend.ts';
+import {
+  appendWaves,
+  createForceUniforms,
+  type ForceUniforms,
+  linearWindForce,
+  meanPush,
+  windForce,
+} from '../../../src/core/wind/force.ts';
+import { swayParts, swayRate, swayReach, swaySine } from '../../../src/core/wind/sway.ts';
+import { STILL, type Wave, type Wind } from '../../../src/core/wind/wind.ts';
 import { type Adapters, cubicOf, type Points, pointsOf, TAU, transposed } from './case.ts';
 
 interface CaseWave {
@@ -36,6 +44,7 @@ interface Blowing {
 /** A case's phase grows with phase0 + sign * t * phi; a wave's with minus its own, except in the paper's direction of travel. */
 const waveOf = ({ A, D, w, phi, k, phase0 = 0 }: CaseWave, sign: 1 | -1): Wave => ({
   on: true,
+  solo: false,
   amplitude: A,
   direction: Math.atan2(D[1], D[0]),
   wavelength: TAU / w,
@@ -44,18 +53,11 @@ const waveOf = ({ A, D, w, phi, k, phase0 = 0 }: CaseWave, sign: 1 | -1): Wave =
   phase: (sign * phase0) / TAU,
 });
 
-function wavesOf({ waves, sign, t }: Blowing): Waves<Float64Array> {
-  const wind: Wind = {
-    name: '',
-    strength: 1,
-    waves: waves.map((wave) => waveOf(wave, sign)),
-    model: 'direct',
-    pose: 'exact',
-    forceExponent: 1,
-    lengthExponent: 1,
-    paper: sign > 0,
-  };
-  return appendWaves({ count: 0, waves: new Float64Array(32), phases: new Float64Array(16) }, wind, t, 1);
+/** The force of a case as the product has it, in double. */
+function forceOf({ waves, sign, t, zero_mean: zeroMean = false }: Blowing): ForceUniforms {
+  const wind: Wind = { ...STILL, waves: waves.map((wave) => waveOf(wave, sign)), zeroMean, paper: sign > 0 };
+  const out = { ...createForceUniforms(), waves: new Float64Array(32), phases: new Float64Array(32) };
+  return appendWaves(out, wind, t, 1);
 }
 
 /** Weights of a whole stem. */
@@ -65,7 +67,7 @@ const WHOLE = bendWeights(0, 1);
 function bent(c: Cubic, force: Vec3, p: number): Cubic {
   const b = bendVector(force[0], force[1], 1, p, 0);
   const per = (weight: number, l: number): number => (l > 0 ? weight / l : 0);
-  return bendStep(c, b, per(WHOLE[0], distance(c.p1, c.p2)), per(WHOLE[1], distance(c.p2, c.p3))).curve;
+  return bendStep(c, weightedPush(b, [per(WHOLE[0], distance(c.p1, c.p2)), per(WHOLE[1], distance(c.p2, c.p3))]));
 }
 
 interface Attached extends AttachAngles {
@@ -77,24 +79,21 @@ interface Attached extends AttachAngles {
 }
 
 export const wind: Adapters = {
-  wind_force: (input: Blowing) => {
-    const waves = wavesOf(input);
-    const f = windForce(waves, input.x, input.y);
-    if (input.zero_mean) {
-      for (let i = 0; i < waves.count; i++) {
-        const [dx, dy, a, k] = waves.waves.subarray(4 * i, 4 * i + 4);
-        f[0] -= dx * a * meanPush(k);
-        f[1] -= dy * a * meanPush(k);
-      }
-    }
-    return { F: f.map((n) => (n * input.gain) / input.l) };
-  },
-  wind_linear: (input: Blowing) => ({ F: linearWindForce(wavesOf(input), input.x, input.y) }),
+  wind_force: (input: Blowing) => ({
+    F: windForce(forceOf(input), input.x, input.y, 0).map((n) => (n * input.gain) / input.l),
+  }),
+  wind_linear: (input: Blowing) => ({ F: linearWindForce(forceOf(input), input.x, input.y) }),
   mean_pow: ({ k }: { k: number[] }) => ({ m: k.map(meanPush) }),
   bend_step: ({ P, F, p }: { P: Points; F: Vec3; p: number }) => ({ P: pointsOf(bent(cubicOf(P), F, p)) }),
   bend_step_chain: ({ P, beta, k, n }: { P: Points; beta: Vec3; k: number; n: number }) => {
     const w = bendWeights(k / n, (k + 1) / n);
-    return { w, P: pointsOf(bendStep(cubicOf(P), beta, w[0], w[1]).curve) };
+    return { w, P: pointsOf(bendStep(cubicOf(P), weightedPush(beta, w))) };
+  },
+  // The cases take offset and rate in degrees, as the paper may be read.
+  wp_sway_deg: ({ L, rstem, rZ, Z, nres, speed, gust, offx, offy, time, rate }: Record<string, number>) => {
+    const turned = swayRate({ reading: 'ratio', rate }, rstem, L) * time;
+    const sine = (offset: number) => swaySine(swayParts(speed, gust), ((offset + turned) * TAU) / 360);
+    return { xy: [offx, offy].map((offset) => (swayReach(L, rZ, Z) * sine(offset)) / nres) };
   },
   attach: ({ P, O, v, local, frames, ...angles }: Attached) => {
     const a = attachByAngles(cubicOf(P), O, v, angles, cubicOf(local), frames === 'sloan');

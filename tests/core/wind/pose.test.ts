@@ -1,23 +1,35 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { bezierArcLength } from '../../../src/core/math/bezier.ts';
+import { arcLength } from '../../../src/core/math/bezier.ts';
 import { distance, dot, subtract, unit } from '../../../src/core/math/vec3.ts';
 import { PIECE_LAYERS } from '../../../src/core/pack/layout.ts';
 import { layerStart } from '../../../src/core/pack/texel-array.ts';
 import { type WindState, windStateAt } from '../../../src/core/wind/fade.ts';
-import { planeOf, poseOf, poseTreePlainly } from '../../../src/core/wind/pose-plainly.ts';
+import { windForce } from '../../../src/core/wind/force.ts';
+import { planeOf, poseOf, poseTreePlainly, restPieceOf } from '../../../src/core/wind/pose-plainly.ts';
 import { poseTree } from '../../../src/core/wind/pose-tree.ts';
-import { presets } from '../../../src/core/wind/presets.ts';
+import { SpringRun } from '../../../src/core/wind/spring-run.ts';
+import { swayTexels } from '../../../src/core/wind/sway.ts';
+import { bentTree } from './bent-tree.ts';
+import { directWind, windNames } from './shipped-winds.ts';
 import { type SmallTree, smallTree } from './small-tree.ts';
+import { GALE, galeOf, stateOf } from './some-winds.ts';
 
 const windAt = (name: string, time: number, change: Partial<WindState> = {}): WindState => ({
-  ...windStateAt(presets[name], time),
+  ...windStateAt(directWind(name), time),
   ...change,
 });
 
 const gale = windAt('gale', 3.7);
 const tree = smallTree(300, 7);
 const plane = planeOf(tree.restPose);
+
+/** A tree whose stems are springs, and what its pose needs of them. */
+const bent = bentTree(300, 7);
+const running = new SpringRun(bent, (time, out) => {
+  windStateAt(GALE, time, undefined, out);
+});
+const bends = { ...running.bendsAt(4), sway: swayTexels(bent, GALE.sway) };
 
 /** Largest difference of two poses in any number of any piece. */
 const apart = (a: Float32Array, b: Float32Array): number => a.reduce((m, x, i) => Math.max(m, Math.abs(x - b[i])), 0);
@@ -44,8 +56,38 @@ describe('the pose of a tree', () => {
     ["the paper's forms", windAt('breeze', 8, { paper: true })],
   ])('fast and plain code agree: %s', (_, wind) => {
     for (const mode of ['exact', 'lagged'] as const) {
-      expect(apart(poseTree(tree, wind, mode), poseTreePlainly(tree, wind, mode))).toBeLessThan(2e-6);
+      expect(apart(poseTree(tree, wind, mode), poseTreePlainly(tree, wind, mode))).toBeLessThan(1e-5);
     }
+  });
+
+  test.each([
+    ['spring', { model: 'spring' }],
+    ['sway', { model: 'sway' }],
+    ['spring fading into sway', { model: 'sway', from: 'spring', modelFade: 0.3 }],
+    ['direct fading into spring', { model: 'spring', from: 'direct', modelFade: 0.6 }],
+    ["springs in the paper's form", { model: 'spring', paper: true }],
+  ] as const)('fast and plain code agree: %s', (_, change) => {
+    const wind = stateOf(galeOf(0.2), 4, { softness: 0.8, ...change });
+    const pose = (pose: typeof poseTree) => pose(bent, wind, 'exact', undefined, undefined, bends);
+    expect(apart(pose(poseTree), pose(poseTreePlainly))).toBeLessThan(2e-5);
+    expect(apart(pose(poseTree), bent.restPose.data)).toBeGreaterThan(0.02);
+  });
+
+  test('a fade starts in the one model and ends in the other', () => {
+    const pose = (change: Partial<WindState>) =>
+      poseTree(bent, stateOf(GALE, 4, change), 'exact', undefined, undefined, bends);
+    const [from, to] = [pose({ model: 'direct' }), pose({ model: 'sway' })];
+    expect(apart(pose({ model: 'sway', from: 'direct', modelFade: 0 }), from)).toBeLessThan(1e-6);
+    expect(apart(pose({ model: 'sway', from: 'direct', modelFade: 1 }), to)).toBeLessThan(1e-6);
+    expect(apart(from, to)).toBeGreaterThan(0.1);
+  });
+
+  test('softness bends twice as far where it is twice as much, and 0 not at all', () => {
+    const points = (pose: Float32Array) => pose.filter((_, i) => i % 4 < 3);
+    const rest = points(tree.restPose.data);
+    const pose = (softness: number) => points(poseTree(tree, { ...gale, softness }, 'exact'));
+    expect(apart(pose(0), rest)).toBeLessThan(2e-5);
+    expect(apart(pose(0.02), rest) / apart(pose(0.01), rest)).toBeCloseTo(2, 1);
   });
 
   test('keeps every arc length', () => {
@@ -53,7 +95,7 @@ describe('the pose of a tree', () => {
     const arc = layerStart(tree.pieces, PIECE_LAYERS.END);
     for (let i = 0; i < tree.pieceCount; i++) {
       const rest = tree.pieces.data[arc + 4 * i + 3];
-      expect(Math.abs(bezierArcLength(poseOf(pose, plane, i).curve) / rest - 1)).toBeLessThan(1e-4);
+      expect(Math.abs(arcLength(poseOf(pose, plane, i).curve) / rest - 1)).toBeLessThan(1e-4);
     }
   });
 
@@ -94,25 +136,30 @@ describe('the pose of a tree', () => {
     expect(apart(pose, exact)).toBeLessThan(1e-5);
   });
 
-  test('says how far a piece bends', () => {
-    const pose = poseTree(tree, gale, 'exact');
-    const angles = tree.plan.map((_, i) => poseOf(pose, plane, i).angle);
-    expect(Math.min(...angles)).toBeGreaterThanOrEqual(0);
-    expect(Math.max(...angles)).toBeGreaterThan(0.05);
-    expect(
-      Math.max(
-        ...poseTree(tree, windAt('still', 0), 'exact')
-          .slice(3 * plane)
-          .filter((_, i) => i % 4 === 3),
-      ),
-    ).toBeLessThan(1e-6);
+  test('says how hard the leaves are shaken: by the force, and for springs by their own way too', () => {
+    const stirOf = (pose: Float32Array) => tree.plan.map((_, i) => poseOf(pose, plane, i).stir);
+    expect(Math.max(...stirOf(poseTree(tree, windAt('still', 0), 'exact')))).toBe(0);
+    const direct = stirOf(poseTree(tree, gale, 'exact'));
+    tree.plan.forEach((_, i) => {
+      expect(direct[i]).toBeCloseTo(Math.hypot(...windForce(gale, ...restPieceOf(tree, i).tip)), 6);
+    });
+    const run = new SpringRun(bent, (time, out) => {
+      windStateAt(GALE, time, undefined, out);
+    });
+    const springs = run.bendsAt(7).springs;
+    const sprung = stirOf(poseTree(bent, stateOf(GALE, 7), 'exact', undefined, undefined, { springs }));
+    const force = springs.state.slice(planeOf(springs.texels));
+    bent.plan.forEach((_, i) => {
+      expect(sprung[i]).toBeGreaterThanOrEqual(force[4 * i + 3]);
+    });
+    expect(Math.max(...sprung)).toBeGreaterThan(Math.max(...direct) / 10);
   });
 
   test('has no NaN in any wind', () => {
     fc.assert(
       fc.property(
         fc.integer({ min: 1, max: 1e6 }),
-        fc.constantFrom(...Object.keys(presets)),
+        fc.constantFrom(...windNames),
         fc.double({ min: 0, max: 1e7, noNaN: true }),
         fc.constantFrom(0, 1, 1e3, 1e6),
         fc.constantFrom(1, 1.8, 3),

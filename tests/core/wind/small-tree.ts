@@ -1,4 +1,4 @@
-import { bezierArcLength } from '../../../src/core/math/bezier.ts';
+import { arcLength } from '../../../src/core/math/bezier.ts';
 import { hashPcg, hashUnit } from '../../../src/core/math/hash.ts';
 import type { Quaternion } from '../../../src/core/math/quaternion.ts';
 import type { Vec3 } from '../../../src/core/math/vec3.ts';
@@ -58,7 +58,7 @@ export function smallTree(count: number, seed: number): SmallTree {
     const [z0, z1] = piece.next ? [0.5, 1] : [0, plan.some((p) => p.next && p.parent === i) ? 0.5 : 1];
     put(PIECE_LAYERS.ATTACH, i, [piece.parent, piece.v, ...bendWeights(z0, z1)]);
     put(PIECE_LAYERS.HANDLE, i, [...p2, p1[0]]);
-    put(PIECE_LAYERS.END, i, [...p3, bezierArcLength({ p0: [0, 0, 0], p1, p2, p3 })]);
+    put(PIECE_LAYERS.END, i, [...p3, arcLength({ p0: [0, 0, 0], p1, p2, p3 })]);
     put(PIECE_LAYERS.TIP, i, [0, 0, 0, size * (z1 === 1 ? 1 : 2)]);
   });
   restPose.data.set([2, 1, 0.5], 0);

@@ -9,7 +9,7 @@ import type { Species } from '../../../src/core/species/species.ts';
 import { windStateAt } from '../../../src/core/wind/fade.ts';
 import { planeOf, poseOf, poseTreePlainly } from '../../../src/core/wind/pose-plainly.ts';
 import { poseTree } from '../../../src/core/wind/pose-tree.ts';
-import { presets } from '../../../src/core/wind/presets.ts';
+import { directWind } from './shipped-winds.ts';
 
 /** Times in seconds that meet gusts and lulls. */
 const TIMES = [0.7, 2.9, 4.4, 6.1, 8.3, 11.2, 13.9, 17];
@@ -29,7 +29,7 @@ describe.each(['quaking-aspen', 'black-tupelo', 'california-black-oak', 'weeping
   const plane = planeOf(packed.restPose);
   const lastOfStem = new Int32Array(tree.stems.count);
   for (let i = 0; i < pieces.count; i++) if (pieces.next[i] < 0) lastOfStem[pieces.stem[i]] = i;
-  const poseIn = (wind: string, time: number) => poseTree(packed, windStateAt(presets[wind], time), 'exact');
+  const poseIn = (wind: string, time: number) => poseTree(packed, windStateAt(directWind(wind), time), 'exact');
 
   /** Direction of a stem's tip seen from the frame at its base: what its own bend changes, and its parents' do not. */
   function tipOf(pose: Float32Array, stem: number): Vec3 {
@@ -72,30 +72,41 @@ describe.each(['quaking-aspen', 'black-tupelo', 'california-black-oak', 'weeping
   });
 
   test('the fast pose is the plain one', () => {
-    const wind = windStateAt(presets.gale, 4.4);
+    const wind = windStateAt(directWind('gale'), 4.4);
     const [a, b] = [poseTree(packed, wind, 'exact'), poseTreePlainly(packed, wind, 'exact')];
     let worst = 0;
     for (let i = 0; i < a.length; i++) worst = Math.max(worst, Math.abs(a[i] - b[i]));
-    expect(worst).toBeLessThan(1e-5);
+    // Both round to float32 what the next depth reads: a few millionths of a metre at 20 m.
+    expect(worst).toBeLessThan(5e-5);
   });
 
   test('in a breeze the trunk hardly moves, branches bend by a few degrees, twigs the most', () => {
     const [trunk, branch, twig, finest = twig] = bends('breeze');
-    expect(trunk).toBeLessThan(0.6);
-    expect(branch).toBeGreaterThan(2 * trunk);
-    expect(branch).toBeLessThan(4);
+    expect(trunk).toBeLessThan(2.5);
+    expect(branch).toBeGreaterThan(1.7 * trunk);
+    expect(branch).toBeLessThan(11);
     expect(twig).toBeGreaterThan(branch);
-    expect(twig).toBeGreaterThan(2);
-    expect(twig).toBeLessThan(12);
-    expect(finest).toBeLessThan(30);
+    expect(twig).toBeGreaterThan(4);
+    expect(twig).toBeLessThan(20);
+    expect(finest).toBeLessThan(35);
   });
 
-  test('a gale bends it two to six times as far as a breeze', () => {
+  test('a gale bends it two to nine times as far as a breeze', () => {
     const [breeze, gale] = [bends('breeze'), bends('gale')];
     for (let level = 0; level < breeze.length; level++) {
-      expect(gale[level] / breeze[level]).toBeGreaterThan(2);
-      expect(gale[level] / breeze[level]).toBeLessThan(6);
-      expect(gale[level]).toBeLessThan(65);
+      expect(gale[level] / breeze[level]).toBeGreaterThan(2.2);
+      expect(gale[level] / breeze[level]).toBeLessThan(9);
+      expect(gale[level]).toBeLessThan(80);
     }
+  });
+
+  test('a storm is seen at a glance: the top of the trunk leans, limbs stream, twigs lie in the wind', () => {
+    const [trunk, branch, twig] = bends('storm');
+    expect(trunk).toBeGreaterThan(9);
+    expect(trunk).toBeLessThan(25);
+    expect(branch).toBeGreaterThan(27);
+    expect(branch).toBeLessThan(65);
+    expect(twig).toBeGreaterThan(0.9 * branch);
+    expect(twig).toBeLessThan(80);
   });
 });

@@ -2,11 +2,11 @@ import bezierFragment from '../../../../shaders/debug/check-bezier.frag';
 import frameFragment from '../../../../shaders/debug/check-frame.frag';
 import handlesFragment from '../../../../shaders/debug/check-handles.frag';
 import {
-  bezierArcLength,
+  arcLength,
   bezierDerivative,
   bezierPoint,
   bezierSecondDerivative,
-  rescaleArc,
+  holdArc,
 } from '../../../core/math/bezier.ts';
 import { type Handles, handlesOf, projectedHandlesOf, sectionFrame, transport } from '../../../core/math/frames.ts';
 import { cross, unit, type Vec3 } from '../../../core/math/vec3.ts';
@@ -35,22 +35,22 @@ const bezier: CheckProgram = {
     const [u, rest] = [given[3], given[7]];
     return [
       ...bezierPoint(curve, u),
-      bezierArcLength(curve),
+      arcLength(curve),
       ...bezierDerivative(curve, u),
       0,
       ...bezierSecondDerivative(curve, u),
       0,
-      ...rescaleArc(curve, rest).p3,
+      ...holdArc(curve, rest).p3,
       0,
     ];
   },
   size: (given) => Math.max(curveSize(curveOf(given)), given[7]),
   lines: [
     { name: 'bezierPoint', parts: [0, 1, 2], bySize: true, tolerance: 2e-5, note: METRES },
-    { name: 'bezierArcLength', parts: [3], bySize: true, tolerance: 2e-5, note: METRES },
+    { name: 'arcLength', parts: [3], bySize: true, tolerance: 2e-5, note: METRES },
     { name: 'bezierDerivative', parts: [4, 5, 6], bySize: true, tolerance: 2e-5, note: METRES },
     { name: 'bezierSecondDerivative', parts: [8, 9, 10], bySize: true, tolerance: 2e-5, note: METRES },
-    { name: 'rescaleArc', parts: [12, 13, 14], bySize: true, tolerance: 2e-5, note: METRES },
+    { name: 'holdArc', parts: [12, 13, 14], bySize: true, tolerance: 2e-5, note: METRES },
   ],
 };
 

@@ -1,0 +1,117 @@
+import { type IUniform, Object3D } from 'three';
+import type { PackedTree } from '../../core/pack/packed.ts';
+import type { Wind } from '../../core/wind/wind.ts';
+import type { ForceField } from '../force-field.ts';
+import type { Overlays } from '../picture/picture.ts';
+import { windDirection } from '../wind-direction.ts';
+import { Arrows } from './arrows.ts';
+import { Fronts } from './fronts.ts';
+import { Handle } from './handle.ts';
+import { Highlight } from './highlight.ts';
+import { Marker } from './marker.ts';
+import { overlayUniforms, setOverlayColours } from './overlay-material.ts';
+import { isOdd, stemPieces } from './stem-pieces.ts';
+
+const NONE: Overlays = { arrows: false, fronts: false, handle: false, probe: null, highlight: null };
+
+/** Seconds of the clock that the handle glows at first, and from swell to swell. */
+const GLOWS = 6;
+const SWELL = 2;
+
+/** What is drawn in the scene beside the tree: the force over the ground, gusts, the wind's handle, the probe, a branch. */
+export class SceneOverlays extends Object3D {
+  readonly handle: Handle;
+  readonly #uniforms = overlayUniforms();
+  readonly #arrows: Arrows;
+  readonly #fronts: Fronts;
+  readonly #marker: Marker;
+  readonly #highlight: Highlight;
+  #wanted = NONE;
+  #tree: PackedTree | null = null;
+  /** Time of the clock at which the handle was drawn first. */
+  #glowing = Number.NaN;
+  #touched = false;
+
+  /** `pose`: poseEven, poseOdd and poseLog2Width of the tree that the probe sticks to; `field`: the wind that is shown. */
+  constructor(pose: Record<string, IUniform>, field: ForceField) {
+    super();
+    const shared = this.#uniforms;
+    this.#arrows = new Arrows(shared, field);
+    this.#fronts = new Fronts(shared, field);
+    this.#marker = new Marker(shared, pose);
+    this.#highlight = new Highlight(shared, pose);
+    this.handle = new Handle(shared);
+    this.add(this.#fronts, this.#arrows, this.handle, this.#highlight, this.#marker);
+    this.rotation.x = -Math.PI / 2; // tree space: z up to y up
+    this.name = 'overlays';
+    this.setDark(false);
+    this.#show();
+  }
+
+  set(overlays: Overlays): void {
+    this.#wanted = overlays;
+    this.handle.focused = overlays.handling ?? false;
+    this.#show();
+  }
+
+  get wanted(): Overlays {
+    return this.#wanted;
+  }
+
+  setDark(dark: boolean): void {
+    setOverlayColours(this.#uniforms, dark);
+  }
+
+  /** Size of the picture in CSS pixels. */
+  setSize(width: number, height: number): void {
+    this.#uniforms.overlayPixels.value.set(width, height);
+  }
+
+  /** Takes the tree that the probe sticks to, and its reach and the radius of its crown in metres. */
+  setTree(tree: PackedTree, reach: number, crown: number): void {
+    this.#tree = tree;
+    this.#arrows.fit(reach);
+    this.#fronts.fit(reach);
+    this.handle.fit(reach, crown);
+    this.#show();
+  }
+
+  /** Turns the handle to a wind. */
+  setWind(wind: Wind): void {
+    this.handle.set(windDirection(wind) ?? this.handle.place.direction, wind.strength);
+  }
+
+  /** The reader has found the handle: it glows no more. */
+  touch(): void {
+    this.#touched = true;
+  }
+
+  /** Takes what the field has of the wind of what is drawn next, at `time` seconds. */
+  update(time: number): void {
+    const { arrows, fronts, handle } = this.#wanted;
+    if (arrows) this.#arrows.update();
+    if (fronts) this.#fronts.update();
+    if (!handle) return;
+    if (Number.isNaN(this.#glowing)) this.#glowing = time;
+    const since = time - this.#glowing;
+    const on = !this.#touched && since >= 0 && since < GLOWS;
+    this.handle.glow = on ? 0.5 - 0.5 * Math.cos((2 * Math.PI * since) / SWELL) : 0;
+  }
+
+  override dispose(): void {
+    for (const part of [this.#arrows, this.#fronts, this.#marker, this.#highlight, this.handle]) part.dispose();
+  }
+
+  #show(): void {
+    const { arrows, fronts, handle, probe, highlight } = this.#wanted;
+    const tree = this.#tree;
+    const has = (piece: number | null): piece is number => tree !== null && piece !== null && piece < tree.pieceCount;
+    this.#arrows.visible = tree !== null && arrows;
+    this.#fronts.visible = tree !== null && fronts;
+    this.handle.visible = tree !== null && handle;
+    this.#marker.visible = has(probe);
+    if (tree && has(probe)) this.#marker.stick(probe, isOdd(tree, probe));
+    this.#highlight.visible = has(highlight);
+    if (tree && has(highlight)) this.#highlight.set(stemPieces(tree, highlight));
+  }
+}

@@ -1,0 +1,60 @@
+import { Vector2, type WebGLRenderer } from 'three';
+import type { PackedTree } from '../core/pack/packed.ts';
+import { createWindState } from '../core/wind/fade.ts';
+import { windForce } from '../core/wind/force.ts';
+import { capabilitiesOf } from '../gpu/capabilities.ts';
+import { CpuPoser } from '../gpu/cpu-poser.ts';
+import type { Poser } from '../gpu/poser.ts';
+import { TreeTextures } from '../gpu/tree-textures.ts';
+import { WindPass } from '../gpu/wind-pass.ts';
+import { FeltWind } from './felt-wind.ts';
+
+/** Metres of force above which leaves know where it blows from. */
+const HINT = 0.01;
+
+/** Metres along the ground from the origin of a tree to the farthest corner of its bounds. */
+const reachOf = ({ bounds: [x0, y0, , x1, y1] }: PackedTree): number =>
+  Math.hypot(Math.max(Math.abs(x0), Math.abs(x1)), Math.max(Math.abs(y0), Math.abs(y1)));
+
+/** One wind on a tree, and the tree as it stands in it: a tree has one, and a second while two winds are compared. */
+export class WindLane {
+  readonly felt = new FeltWind();
+  /** Direction towards which it blows at the tree, tree axes; shorter than 1 where it hardly does. */
+  readonly way = new Vector2();
+  readonly #state = createWindState();
+  #textures: TreeTextures | null = null;
+  #poser: Poser | null = null;
+
+  /** null before the first `update`. */
+  get textures(): TreeTextures | null {
+    return this.#textures;
+  }
+
+  get poser(): Poser | null {
+    return this.#poser;
+  }
+
+  /** Poses `tree` as of `time` seconds; the same tree until `drop`. */
+  update(renderer: WebGLRenderer, tree: PackedTree, time: number): TreeTextures {
+    let textures = this.#textures;
+    if (!textures || !this.#poser) {
+      textures = new TreeTextures(tree, capabilitiesOf(renderer).floatTargets);
+      this.#textures = textures;
+      this.felt.reach = reachOf(tree);
+      this.#poser = textures.cpuPose ? new CpuPoser(textures) : new WindPass(textures);
+    }
+    this.#poser.update(renderer, time, this.felt);
+    this.felt.fill(time, this.#state);
+    const [x, y] = windForce(this.#state, 0, 0, this.#state.profiled ? (tree.crown[2] as number) : 0);
+    this.way.set(x, y).divideScalar(Math.hypot(x, y) + HINT);
+    return textures;
+  }
+
+  /** Frees what it has on the GPU. */
+  drop(): void {
+    this.#poser?.dispose();
+    this.#textures?.dispose();
+    this.#poser = null;
+    this.#textures = null;
+  }
+}
