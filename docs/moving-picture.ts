@@ -3,10 +3,7 @@
 
 import type { Species } from '../src/core/species/species.ts';
 import { STILL, type Wave, type Wind } from '../src/core/wind/wind.ts';
-import { Stage } from '../src/view/stage.ts';
-import { uprightBox } from '../src/view/tree-extent.ts';
-import { WindTree } from '../src/view/wind-tree.ts';
-import { growInWorker } from '../src/worker/client.ts';
+import { speciesAsked, treeOnStage } from './tree-page.ts';
 
 /** Seconds after which the picture repeats. */
 const LOOP = 4;
@@ -45,33 +42,15 @@ const wind: Wind = {
 /** Seconds that the branches swing before the first frame: after that they repeat with the waves. */
 const RUN_IN = 10 * LOOP;
 
-const asked = new URLSearchParams(location.search);
-const file = (await (await fetch(`/species/${asked.get('species') ?? 'quaking-aspen'}.json`)).json()) as Species;
+const file = await speciesAsked();
 // Leaves repeat after sixteen beats (WindTree): let a loop be that, or twice that, whichever is nearer to the species.
 const rate = (16 / LOOP) * Math.max(1, Math.round((file.wind.flutterRate * LOOP) / 16));
 const species: Species = { ...file, wind: { ...file.wind, flutterRate: rate } };
 
-const stage = new Stage(document.querySelector<HTMLCanvasElement>('#stage')!, {
-  shadows: 2048,
-  preserveDrawingBuffer: true,
-});
-stage.resize(innerWidth, innerHeight);
-const { packed } = await growInWorker(species, Number(asked.get('seed') ?? 1));
-const tree = new WindTree();
-tree.setTree(packed, species);
-tree.setWind(wind);
-tree.setShadows(true, true);
-stage.scene.add(tree);
-const { target } = stage.frame(uprightBox(packed.bounds));
+const { stage, show } = await treeOnStage(species, wind);
 // Closer than the whole of it: the crown fills the picture.
-stage.controls.target.copy(target).y *= 1.12;
+stage.controls.target.y *= 1.12;
 stage.camera.position.lerp(stage.controls.target, 0.22);
-
-const show = (time: number): void => {
-  do tree.update(stage.renderer, RUN_IN + time);
-  while (tree.catchingUp !== null);
-  stage.render();
-};
 // The first frame compiles.
-show(0);
-Object.assign(window, { windgrovePicture: { show, loop: LOOP } });
+show(RUN_IN);
+Object.assign(window, { windgrovePicture: { show: (time: number) => show(RUN_IN + time), loop: LOOP } });

@@ -7,7 +7,7 @@ export interface GrowthBudget {
   readonly bytes: number;
 }
 
-export const DEFAULT_BUDGET: GrowthBudget = { stems: 400_000, leaves: 2_500_000, bytes: 384 * 2 ** 20 };
+export const DEFAULT_BUDGET: GrowthBudget = { stems: 400_000, leaves: 2_500_000, bytes: 384 * 1024 * 1024 };
 
 /** Bytes that one entry of a tree takes in all its arrays together. */
 export const BYTES = { stem: 50, node: 52, leaf: 32 } as const;

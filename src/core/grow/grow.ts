@@ -137,7 +137,7 @@ function reporter(
   counts: () => GrowthCounts,
 ): (stage: number, part: number) => void {
   const stages = leafy ? levels + 1 : levels;
-  const before = (stage: number) => 4 ** Math.min(stage, stages) - 1;
+  const before = (stage: number) => (1 << (2 * Math.min(stage, stages))) - 1;
   return (stage, part) => {
     if (options.shouldCancel?.()) throw new GrowthCancelled();
     const done = before(stage) + part * (before(stage + 1) - before(stage));

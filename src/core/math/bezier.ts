@@ -65,7 +65,9 @@ const ARC_RULE = new Float64Array(
     ].flatMap(([x, weight]) => {
       const u = half + 0.5 * (0.5 + x);
       const v = 1 - u;
-      return [1.5 * weight, v ** 4, 4 * v ** 3 * u, 6 * v * v * u * u, 4 * v * u ** 3, u ** 4];
+      // No powers: engines round them differently, and arc lengths at rest must be the same everywhere.
+      const [vv, uu] = [v * v, u * u];
+      return [1.5 * weight, vv * vv, 4 * vv * v * u, 6 * vv * uu, 4 * v * u * uu, uu * uu];
     }),
   ),
 );

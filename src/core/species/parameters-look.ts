@@ -69,7 +69,7 @@ const stiffness: NumbersParameter = {
   symbol: '',
   section: '',
   optional: true,
-  default: [6, 2, 1, 0.7],
+  default: [2, 0.8, 0.9, 1],
 };
 
 export const WIND_PARAMETERS: readonly Parameter[] = [

@@ -14,7 +14,7 @@ import { SHIPPED, shippedSpecies } from './shipped-species.ts';
 const HASHES = {
   'quaking-aspen': 'a67ad0c8',
   'black-tupelo': 'e4d0a95b',
-  'weeping-willow': 'eb5dcc82',
+  'weeping-willow': 'b11f273a',
   'california-black-oak': '54efdad5',
 } as const;
 
