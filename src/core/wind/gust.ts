@@ -110,6 +110,15 @@ function loudest(gust: Gust, from: number, to: number): number {
 }
 
 /**
+ * How a gust ranks among others as loud, 0.6..1, for its whole life: without it nine alike, as from a key that is pressed nine times,
+ * would all be weakened to nothing.
+ */
+const standing = ({ start }: Gust): number => 1 - 0.4 * (start * GOLDEN - Math.floor(start * GOLDEN));
+
+/** Multiples of it, less their whole part, lie evenly apart. */
+const GOLDEN = 0.6180339887498949;
+
+/**
  * Writes the gusts that can be felt at `time` seconds within 200 m of a tree at `place` to `out`. Of more than eight the loudest
  * stay, each weakened towards the loudness of the ninth, so that none comes or goes with a jump.
  */
@@ -117,7 +126,7 @@ export function fillGusts(out: GustUniforms, blowing: readonly BlowingGust[], ti
   out.gustCount = 0;
   const felt: (BlowingGust & { loudness: number })[] = [];
   for (const { gust, peak } of blowing) {
-    const loudness = gustLoudness({ gust, peak }, time, place.x, place.y);
+    const loudness = gustLoudness({ gust, peak }, time, place.x, place.y) * standing(gust);
     if (loudness > 0) felt.push({ gust, peak, loudness });
   }
   let ninth = 0;

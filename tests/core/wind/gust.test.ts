@@ -104,6 +104,12 @@ describe('gusts', () => {
     );
   });
 
+  test('twelve alike, thrown one after the other, still blow', () => {
+    const alike = Array.from({ length: 12 }, (_, i) => ({ ...gust, rise: 3, fall: 3, start: 10 + 0.2 * i }));
+    const force = forceAt(blow(alike), 14);
+    expect(force[0]).toBeGreaterThan(2 * forceAt(blow([gust]), 11)[0]);
+  });
+
   test('one that comes again is the same every time, and not there before the first', () => {
     const wind = blow([{ ...gust, repeat: 6 }]);
     const once = blow([gust]);
