@@ -93,6 +93,8 @@ test.describe('on a phone', () => {
     for (const tab of ['Grow', 'Wind', 'Studio', 'Time', 'View']) {
       await page.getByRole('tab', { name: tab, exact: true }).tap();
       if (tab === 'Wind') await page.getByRole('button', { name: 'Wave 1: all settings' }).tap();
+      // The plots come in a file of their own.
+      if (tab === 'Studio') await expect(page.getByRole('button', { name: 'Download CSV' })).toBeVisible();
       const small = await page.evaluate(() =>
         [...document.querySelectorAll<HTMLElement>('button, input, summary, label.button, .dial')]
           .filter(
