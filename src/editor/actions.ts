@@ -42,8 +42,8 @@ export function createActions(
     ...gusts,
     ...fileActions(doing),
 
-    setSpecies: (species: string) => set({ species, ownSpecies: null, probe: null }),
-    openSpecies: (text: string) => set({ ownSpecies: text, probe: null }),
+    setSpecies: (species: string) => set({ species, ownSpecies: null, edits: {}, probe: null }),
+    openSpecies: (text: string) => set({ ownSpecies: text, edits: {}, probe: null }),
     setSeed: (seed: number) => set({ seed: roundTo(LINK_NUMBERS.seed, seed), probe: null }),
     rollSeed: () => set({ seed: crypto.getRandomValues(new Uint32Array(1))[0]! % 10_000, probe: null }),
     setLevels: (levelsShown: number) => set({ levelsShown }),

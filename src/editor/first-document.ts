@@ -9,6 +9,7 @@ export const firstDocument = (theme: Theme, paused: boolean, breeze: Wind): Link
   roundDocument({
     species: 'quaking-aspen',
     ownSpecies: null,
+    edits: {},
     seed: 1,
     time: 0,
     paused,

@@ -46,7 +46,7 @@ export function followDocument(
       picture.show(now);
     }
     onChange({
-      grow: now.species !== before.species || now.ownSpecies !== before.ownSpecies || now.seed !== before.seed,
+      grow: (['species', 'ownSpecies', 'edits', 'seed'] as const).some((key) => now[key] !== before[key]),
     });
   });
   session.subscribe((now, before) => {

@@ -1,4 +1,5 @@
 import type { LinkDocument } from '../core/link/link.ts';
+import { editSpecies } from '../core/species/edits.ts';
 import type { Species } from '../core/species/species.ts';
 import { type GrownTree, type GrowProgress, growTree } from '../view/picture/grow-tree.ts';
 import type { Actions } from './actions.ts';
@@ -7,10 +8,10 @@ import { FileError } from './file-error.ts';
 import type { SessionStore } from './session.ts';
 import { loadSpecies, readSpecies } from './species-source.ts';
 
-type Wish = Pick<LinkDocument, 'species' | 'ownSpecies' | 'seed'>;
+type Wish = Pick<LinkDocument, 'species' | 'ownSpecies' | 'edits' | 'seed'>;
 
 const same = (a: Wish, b: Wish | null): boolean =>
-  b !== null && a.species === b.species && a.ownSpecies === b.ownSpecies && a.seed === b.seed;
+  b !== null && a.species === b.species && a.ownSpecies === b.ownSpecies && a.edits === b.edits && a.seed === b.seed;
 
 /** Growing takes about half of the time, fitting and packing the rest. */
 const stages = { grow: [0, 0.5], fit: [0.5, 0.35], pack: [0.85, 0.15] } as const;
@@ -64,15 +65,16 @@ export class Grower {
 
   /** Grows what the document asks for, unless that stands or grows already. */
   async grow(): Promise<void> {
-    const { species, ownSpecies, seed } = this.document.getState();
-    const wish = { species, ownSpecies, seed };
+    const { species, ownSpecies, edits, seed } = this.document.getState();
+    const wish = { species, ownSpecies, edits, seed };
     if (same(wish, this.wish)) return;
     this.wish = wish;
     this.abort?.abort();
     const abort = new AbortController();
     this.abort = abort;
     try {
-      const found = await this.find(wish);
+      const base = await this.find(wish);
+      const found = editSpecies(base, edits);
       if (abort.signal.aborted) return;
       this.session.setState({ growing: { name: found.name, progress: 0 }, spoken: `Growing ${found.name}` });
       const grown = await growTree(found, seed, {
@@ -83,7 +85,7 @@ export class Grower {
         },
       });
       if (abort.signal.aborted) return;
-      this.stand(wish, found, grown);
+      this.stand(wish, base, found, grown);
     } catch (error) {
       if (abort.signal.aborted) return;
       this.abort = null;
@@ -104,7 +106,7 @@ export class Grower {
     return loadSpecies(entry);
   }
 
-  private stand(wish: Wish, species: Species, grown: GrownTree): void {
+  private stand(wish: Wish, base: Species, species: Species, grown: GrownTree): void {
     const { stats, packed, milliseconds } = grown;
     this.abort = null;
     this.shown = wish;
@@ -112,6 +114,7 @@ export class Grower {
       growing: null,
       tree: {
         species,
+        base,
         seed: wish.seed,
         figures: {
           stems: stats.levels.reduce((sum, level) => sum + level.stems + level.clones, 0),

@@ -54,7 +54,10 @@ export interface Frames extends FrameFigures {
 
 /** The tree on the screen. */
 export interface ShownTree {
+  /** With the edits in it: what was grown. */
   readonly species: Species;
+  /** Without them: what a reset goes back to. */
+  readonly base: Species;
   readonly seed: number;
   readonly figures: TreeFigures;
 }

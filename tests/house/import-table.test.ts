@@ -4,12 +4,27 @@ import { filesUnder } from './tree-files.ts';
 
 /** Who may import whom: the folders of src, the shaders, and the packages that a room knows. */
 const table: Record<string, { rooms: string[]; packages: string[] }> = {
-  core: { rooms: ['core'], packages: ['zod', 'papaparse', 'fft.js'] },
+  core: {
+    rooms: ['core'],
+    packages: [
+      'zod',
+      'papaparse',
+      'fft.js',
+      'fflate',
+      'fast-png',
+      '@gltf-transform/core',
+      '@gltf-transform/extensions',
+      '@rgrove/parse-xml',
+    ],
+  },
   worker: { rooms: ['worker', 'core'], packages: ['comlink'] },
   gpu: { rooms: ['gpu', 'core', 'shaders'], packages: ['three'] },
-  view: { rooms: ['view', 'core', 'worker', 'gpu', 'shaders'], packages: ['three'] },
+  view: { rooms: ['view', 'core', 'worker', 'gpu', 'shaders'], packages: ['three', 'mediabunny'] },
   element: { rooms: ['element', 'core', 'view'], packages: ['lit'] },
-  editor: { rooms: ['editor', 'core', 'view', 'element'], packages: ['lit', 'zustand', 'uplot'] },
+  editor: {
+    rooms: ['editor', 'core', 'view', 'element'],
+    packages: ['lit', 'zustand', 'zundo', 'uplot', 'idb-keyval', 'driver.js', 'fflate', 'mediabunny'],
+  },
   learn: { rooms: ['learn', 'core', 'view', 'element'], packages: ['lit'] },
   cli: { rooms: ['cli', 'core'], packages: ['node:'] },
 };

@@ -29,6 +29,7 @@ export function decodeLink(link: string, options: DecodeOptions): { document: Li
   const document = roundDocument({
     species: reader.choice('s', defaults.species, species),
     ownSpecies: own,
+    edits: {},
     seed: reader.linkNumber('seed', defaults.seed),
     time: roundTime(reader.linkNumber('t', defaults.time)),
     paused: reader.flag('paused', defaults.paused),

@@ -1,3 +1,4 @@
+import type { SpeciesEdits } from '../species/edits.ts';
 import type { Wind } from '../wind/wind.ts';
 
 /** How the tree is drawn. */
@@ -61,6 +62,8 @@ export interface LinkDocument {
   readonly species: string;
   /** The text of a species file of the reader's own, or null. */
   readonly ownSpecies: string | null;
+  /** What the reader changed of that species. */
+  readonly edits: SpeciesEdits;
   /** Unsigned 32-bit integer. */
   readonly seed: number;
   /** Seconds, a whole number of steps of the clock, >= 0. */
