@@ -53,7 +53,7 @@ export default defineConfig({
   webServer: given
     ? undefined
     : {
-        command: `npm run build && npm run preview -- --host 127.0.0.1 --port ${port} --strictPort`,
+        command: `npm run build && npx vite build --config vite.pages.config.ts && npm run preview -- --host 127.0.0.1 --port ${port} --strictPort`,
         url: `http://127.0.0.1:${port}/`,
         reuseExistingServer: false,
         timeout: 180_000,

@@ -3,22 +3,31 @@ import { join } from 'node:path';
 import { defineConfig } from 'vite';
 
 const out = join(import.meta.dirname, 'dist-cli');
+const source = (file: string): string => join(import.meta.dirname, 'src/cli', file);
 
-/** Builds the `windgrove` command: one file for Node, with the shipped species beside it. */
+/**
+ * Builds the `windgrove` command for Node, with the species and winds that ship beside it.
+ *
+ * All its files lie in one folder: they find each other, the thread of a bake, and what ships by it.
+ */
 export default defineConfig({
   publicDir: false,
   build: {
-    ssr: join(import.meta.dirname, 'src/cli/main.ts'),
+    ssr: true,
     outDir: out,
     emptyOutDir: true,
     target: 'node20',
-    rollupOptions: { output: { entryFileNames: 'main.js' } },
+    rollupOptions: {
+      input: { main: source('main.ts'), 'bake-thread': source('bake-thread.ts') },
+      output: { entryFileNames: '[name].js', chunkFileNames: '[name]-[hash].js' },
+    },
   },
   plugins: [
     {
-      name: 'ship-species',
+      name: 'ship-species-and-winds',
       closeBundle() {
-        cpSync(join(import.meta.dirname, 'public/species'), join(out, 'species'), { recursive: true });
+        for (const folder of ['species', 'winds'])
+          cpSync(join(import.meta.dirname, 'public', folder), join(out, folder), { recursive: true });
         chmodSync(join(out, 'main.js'), 0o755);
       },
     },

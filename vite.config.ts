@@ -1,18 +1,12 @@
-import { existsSync, readdirSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
 
-/** Pages that ship; each is an entry of the build. */
+/** Pages that ship; each is an entry of the build. The pages of the browser tests are built beside them: vite.pages.config.ts. */
 const pages = ['index.html', 'crosscheck.html'];
 
-/** The browser tests build into a folder of their own (playwright.config.ts), with pages that only they look at. */
+/** The browser tests build into a folder of their own (playwright.config.ts). */
 const testBuild = process.env.WINDGROVE_TEST_BUILD;
-const testPages = resolve(import.meta.dirname, 'e2e/pages');
-if (testBuild && existsSync(testPages)) {
-  const names = readdirSync(testPages).filter((name) => name.endsWith('.html'));
-  pages.push(...names.map((name) => `e2e/pages/${name}`));
-}
 
 /** `npm start` opens the editor where there is a desktop to open it on; elsewhere the printed address has to do. */
 const desktop = process.platform !== 'linux' || Boolean(process.env.DISPLAY || process.env.WAYLAND_DISPLAY);
@@ -23,6 +17,8 @@ export default defineConfig({
   preview: { open: false },
   // Each file guards itself: two that include the same third are no mistake.
   plugins: [glsl({ root: '/shaders/', warnDuplicatedImports: false })],
+  // zundo asks for all of zustand, which brings React with it; it uses what the plain part has.
+  resolve: { alias: [{ find: /^zustand$/, replacement: 'zustand/vanilla' }] },
   worker: { format: 'es' },
   build: {
     target: 'es2023',

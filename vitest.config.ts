@@ -4,7 +4,10 @@ import { defineConfig } from 'vitest/config';
 // Apart from vite.config.ts: tests need the shaders as text, not the pages or the build.
 export default defineConfig({
   plugins: [glsl({ root: '/shaders/', warnDuplicatedImports: false })],
+  // As in vite.config.ts: zundo does without React.
+  resolve: { alias: [{ find: /^zustand$/, replacement: 'zustand/vanilla' }] },
   test: {
+    server: { deps: { inline: ['zundo'] } },
     environment: 'node',
     include: ['tests/**/*.test.ts'],
     // Long enough for the slowest tree on a busy machine of two cores; a test that needs longer is too large.

@@ -18,9 +18,11 @@ const results = join(import.meta.dirname, 'results.md');
 const benches: readonly { name: string; file: string; query?: string }[] = [
   { name: 'grow', file: 'grow.ts' },
   { name: 'pack', file: 'pack.ts' },
+  { name: 'bake', file: 'bake.ts' },
   { name: 'order', file: 'order.html' },
   { name: 'wind', file: 'wind.html' },
   { name: 'deform', file: 'deform.html' },
+  { name: 'edit', file: 'edit.html' },
   { name: 'compare', file: 'compare-ez-tree.html', query: '?measure' },
 ];
 

@@ -47,6 +47,38 @@ for (const theme of ['light', 'dark'] as const) {
   });
 }
 
+for (const theme of ['light', 'dark'] as const) {
+  test(`axe finds nothing in the dialogs, the menus and the tour, ${theme}`, async ({ page }) => {
+    await open(page, `${BARE}&theme=${theme}&seed=5`);
+    await expect(page.getByRole('searchbox')).toBeVisible();
+    for (const [key, name] of [
+      ['Control+k', 'Find a command'],
+      ['y', 'History'],
+      ['m', 'More like this'],
+      ['Control+e', 'Export'],
+    ] as const) {
+      await page.keyboard.press(key);
+      await expect(page.getByRole('dialog', { name })).toBeVisible();
+      // What fills it has come, and nothing moves any more.
+      await expect(page.getByText('Opening…')).toBeHidden();
+      await page.evaluate(() => Promise.allSettled(document.getAnimations().map((a) => a.finished)));
+      expect(await faults(page), name).toEqual([]);
+      await page.keyboard.press('Escape');
+      await expect(page.getByRole('dialog')).toBeHidden();
+    }
+    for (const name of ['File', 'Share', 'Theme']) {
+      await page.getByRole('button', { name, exact: true }).click();
+      await expect(page.locator(':popover-open')).toBeVisible();
+      expect(await faults(page), name).toEqual([]);
+      await page.keyboard.press('Escape');
+    }
+    await page.getByRole('button', { name: 'Show me around' }).click();
+    await expect(page.getByRole('dialog')).toContainText('A tree in the wind');
+    await page.evaluate(() => Promise.allSettled(document.getAnimations().map((a) => a.finished)));
+    expect(await faults(page), 'tour').toEqual([]);
+  });
+}
+
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 

@@ -1,9 +1,8 @@
 import type { Box3 } from 'three';
-import { grow } from '../../src/core/grow/grow.ts';
-import { packTree } from '../../src/core/pack/pack.ts';
+import type { TreeStats } from '../../src/core/grow/stats.ts';
+import { growPacked } from '../../src/core/pack/grow-packed.ts';
 import type { PackedTree } from '../../src/core/pack/packed.ts';
-import { attachLeaves } from '../../src/core/pieces/attach-leaves.ts';
-import { fitPieces } from '../../src/core/pieces/fit-pieces.ts';
+import type { StemTable } from '../../src/core/pack/stem-table.ts';
 import type { Species } from '../../src/core/species/species.ts';
 import { uprightBox } from '../../src/view/tree-extent.ts';
 
@@ -11,6 +10,8 @@ import { uprightBox } from '../../src/view/tree-extent.ts';
 export interface Grown {
   readonly species: Species;
   readonly packed: PackedTree;
+  readonly stems: StemTable;
+  readonly stats: TreeStats;
   /** Box at rest, metres, y up. */
   readonly box: Box3;
 }
@@ -19,10 +20,8 @@ export interface Grown {
 export async function grown(name: string, seed: number, edit?: (species: Species) => Species): Promise<Grown> {
   const read = (await (await fetch(`/species/${name}.json`)).json()) as Species;
   const species = edit ? edit(read) : read;
-  const tree = grow(species, seed);
-  const pieces = fitPieces(tree);
-  const packed = packTree(tree, pieces, attachLeaves(tree, pieces));
-  return { species, packed, box: uprightBox(packed.bounds) };
+  const { packed, stems, stats } = growPacked(species, seed);
+  return { species, packed, stems, stats, box: uprightBox(packed.bounds) };
 }
 
 /** Fewer branches and leaves: what software GL draws in a test. */

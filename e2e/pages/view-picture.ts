@@ -1,4 +1,6 @@
+import { growPacked } from '../../src/core/pack/grow-packed.ts';
 import { DEFAULT_WAVE, STILL, type Wind } from '../../src/core/wind/wind.ts';
+import { CaptureStage } from '../../src/view/picture/capture-stage.ts';
 import { LivePicture } from '../../src/view/picture/live-picture.ts';
 import type { Overlays } from '../../src/view/picture/picture.ts';
 import { grown, small } from './grown.ts';
@@ -16,13 +18,16 @@ const picture = new LivePicture(host, {
   onCamera: note('camera'),
   onLost: note('lost'),
   onHandle: note('handle'),
-  onPickBranch: note('branch'),
+  onHoverStem: note('hover'),
+  onPickStem: note('stem'),
+  onStemHandle: note('stem handle'),
   onThrow: note('throw'),
   onWipe: note('wipe'),
 });
 const wind = (amplitude: number): Wind => ({ ...STILL, waves: [{ ...DEFAULT_WAVE, amplitude, wavelength: 12 }] });
-const { packed, species } = await grown('quaking-aspen', 1, small);
-picture.setTree({ packed, stats: { levels: [], stems: 0, leaves: 0, height: 0 }, milliseconds: 0 } as never, species);
+const { packed, species, stems, stats } = await grown('quaking-aspen', 1, small);
+const tree = { packed, stems, stats, milliseconds: { grow: 0, fit: 0, pack: 0 } };
+picture.setTree(tree, species);
 picture.setWind(wind(0.15), 0);
 picture.setCamera({ azimuth: 20, elevation: 16, distance: 34, target: [0, 5, 0] });
 
@@ -52,6 +57,19 @@ function changed(a: Uint8Array, b: Uint8Array, from = 0, to = 480): number {
   }
   return n / ((to - from) * 360);
 }
+
+/** Part of the pixels that differ by more than smoothing does. */
+function far(a: ArrayLike<number>, b: ArrayLike<number>): number {
+  let n = 0;
+  for (let i = 0; i < a.length; i += 4) {
+    const away = [0, 1, 2].map((k) => Math.abs((a[i + k] as number) - (b[i + k] as number)));
+    if (Math.max(...away) > 40) n++;
+  }
+  return n / (a.length / 4);
+}
+
+const pixelsOf = (canvas: HTMLCanvasElement | OffscreenCanvas): Uint8Array =>
+  new Uint8Array((canvas as HTMLCanvasElement).getContext('2d')?.getImageData(0, 0, 480, 360).data.buffer ?? []);
 
 const scene = {
   told,
@@ -190,6 +208,104 @@ const scene = {
 
   pick: (x: number, y: number) => picture.pickPiece(x, y),
   ground: (x: number, y: number) => picture.pickGround(x, y),
+
+  /** Captures against the picture on the screen and each other, as parts of the pixels that differ; and a portrait. */
+  async captures() {
+    picture.setOverlays(NONE);
+    const size = { width: 480, height: 360 };
+    const shown = draw(1);
+    const capture = await picture.openCapture({ ...size, transparent: false });
+    await capture.draw(1);
+    const first = pixelsOf(capture.canvas);
+    await capture.draw(2.5);
+    const later = pixelsOf(capture.canvas);
+    await capture.draw(1);
+    const again = pixelsOf(capture.canvas);
+    capture.close();
+    const closed = await capture.draw(1).then(
+      () => '',
+      (error: Error) => error.message,
+    );
+    const clear = await picture.openCapture({ ...size, transparent: true });
+    await clear.draw(1);
+    const alone = pixelsOf(clear.canvas);
+    clear.close();
+    const alpha = (x: number, y: number): number => alone[4 * (480 * y + x) + 3] as number;
+    let covered = 0;
+    for (let i = 3; i < alone.length; i += 4) covered += (alone[i] as number) > 127 ? 1 : 0;
+    const tiles = new CaptureStage('stage', 150);
+    const canvas = Object.assign(document.createElement('canvas'), size);
+    const show = { levelsShown: Number.POSITIVE_INFINITY, showLeaves: true, view: 'shaded' } as const;
+    tiles.take({ packed, stems, species, wind: wind(0.15), show, dark: false, channel: null });
+    await tiles.draw(canvas, 1, { pose: picture.camera, high: 1, wide: 480 / 360 });
+    const tiled = pixelsOf(canvas);
+    tiles.dispose();
+    const blob = await picture.portrait(tree, species, { width: 120, height: 150 });
+    const image = await createImageBitmap(blob);
+    const context = new OffscreenCanvas(120, 150).getContext('2d') as OffscreenCanvasRenderingContext2D;
+    context.drawImage(image, 0, 0);
+    const portrait = new Uint32Array(context.getImageData(0, 0, 120, 150).data.buffer);
+    return {
+      same: far(shown, first),
+      apart: far(first, later),
+      again: changed(first, again),
+      undisturbed: changed(shown, draw(1)),
+      corners: [alpha(0, 0), alpha(479, 0), alpha(0, 359), alpha(479, 359)],
+      tree: covered / (480 * 360),
+      tiled: far(first, tiled),
+      portrait: { colours: new Set(portrait).size, size: [image.width, image.height] },
+      closed,
+    };
+  },
+
+  /** What WebGL holds before and after a hundred trees, and how many draws trees take to a far time: set whole, as a draft, and whole again. */
+  async trees() {
+    const gl = picture.renderer.getContext();
+    const others = [2, 3].map((seed) => {
+      const { packed, stems, stats } = growPacked(species, seed);
+      return { packed, stems, stats, milliseconds: tree.milliseconds };
+    });
+    picture.setWind(wind(0.15), 0);
+    const held = new Map<string, number>();
+    for (const kind of ['Texture', 'Buffer', 'Framebuffer', 'Program', 'VertexArray'] as const) {
+      const [make, drop] = [`create${kind}`, `delete${kind}`] as const;
+      const context = gl as unknown as Record<string, (...words: unknown[]) => unknown>;
+      const made = context[make]?.bind(gl);
+      const dropped = context[drop]?.bind(gl);
+      held.set(kind, 0);
+      context[make] = (...words) => {
+        held.set(kind, (held.get(kind) ?? 0) + 1);
+        return made?.(...words);
+      };
+      context[drop] = (...words) => {
+        if (words[0]) held.set(kind, (held.get(kind) ?? 0) - 1);
+        return dropped?.(...words);
+      };
+    }
+    const cycle = (rounds: number): Record<string, number> => {
+      for (let i = 0; i < rounds; i++) {
+        picture.setTree(i % 3 === 2 ? tree : (others[i % 3] as typeof tree), species, { draft: i % 3 === 0 });
+        picture.draw(0.1 + (i % 3) / 60, true);
+      }
+      return Object.fromEntries(held);
+    };
+    const before = cycle(9);
+    const after = cycle(90);
+    const drawsTo = (time: number): number => {
+      let draws = 1;
+      while (picture.draw(time, false).catchingUp !== null) draws++;
+      return draws;
+    };
+    picture.setTree(tree, species);
+    const far = drawsTo(60);
+    const whole = draw(60);
+    picture.setTree(tree, species, { draft: true });
+    const near = drawsTo(60);
+    picture.setTree(tree, species);
+    const pure = drawsTo(60);
+    const again = changed(whole, draw(60));
+    return { before, after, far, near, pure, again };
+  },
 
   /** The state textures and one piece, read back. */
   async read() {

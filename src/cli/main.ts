@@ -6,7 +6,11 @@ process.stdout.on('error', (error: NodeJS.ErrnoException) => {
   if (error.code !== 'EPIPE') throw error;
 });
 
-process.exitCode = run(process.argv.slice(2), {
+/** Back to the start of the line, which is cleared. */
+const AGAIN = '\r\u001b[K';
+
+process.exitCode = await run(process.argv.slice(2), {
   out: (line) => process.stdout.write(`${line}\n`),
-  err: (line) => process.stderr.write(`${line}\n`),
+  err: (line) => process.stderr.write(`${process.stderr.isTTY ? AGAIN : ''}${line}\n`),
+  progress: process.stderr.isTTY ? (line) => process.stderr.write(AGAIN + line) : undefined,
 });

@@ -1,24 +1,15 @@
 import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { parseArgs } from 'node:util';
+import { bakeCommand, mergeCommand } from './bake.ts';
+import { exportCommand } from './export.ts';
 import { Failure, UsageError } from './failure.ts';
-import { findSpecies, shippedNames } from './species-files.ts';
+import { helpText } from './help.ts';
+import { EXPORT_FLAGS, type FlagValues } from './option-flags.ts';
+import { findSpecies } from './species-files.ts';
 import { measure, statsText } from './stats.ts';
 import type { Streams } from './streams.ts';
 import { validate } from './validate.ts';
-
-const help = (): string => `windgrove: trees with wind through every branch
-
-Usage:
-  windgrove stats SPECIES [--seed N] [--json]   grow a tree and print its figures
-  windgrove validate FILE...                    check files of species and winds; exit status 1 where one has a fault
-  windgrove --help | --version
-
-SPECIES is a species file, or the name of a shipped one:
-  ${shippedNames().join(', ')}
-N is a whole number from 0 to 4294967295; 1 where it is left out.
-
-Lengths are in metres, angles in degrees. Exit status: 0 all well, 1 a fault in a file or a tree too large, 2 a wrong call.`;
 
 /** The version in the package.json above this file. */
 function version(): string {
@@ -40,62 +31,127 @@ function seedOf(text: string | undefined): number {
   throw new UsageError(`--seed: found "${text}"; allowed: a whole number from 0 to 4294967295.`);
 }
 
+/** Options besides those of an export, and the commands that read them. */
 const OPTIONS = {
   help: { type: 'boolean', short: 'h' },
   version: { type: 'boolean', short: 'v' },
   json: { type: 'boolean' },
   seed: { type: 'string' },
+  seeds: { type: 'string' },
+  shard: { type: 'string' },
+  jobs: { type: 'string' },
+  merge: { type: 'string' },
+  out: { type: 'string' },
+  wind: { type: 'string' },
 } as const;
 
-/** Whether argument i is `--seed` with a number below zero behind it. */
-const isSeed = (args: readonly string[], i: number): boolean => args[i] === '--seed' && /^-\d/.test(args[i + 1] ?? '');
+const FLAGS = Object.keys(EXPORT_FLAGS);
 
-function parse(args: readonly string[]) {
+const READ: Readonly<Record<string, readonly string[]>> = {
+  stats: ['seed', 'json'],
+  validate: [],
+  export: ['seed', 'out', 'wind', ...FLAGS],
+  bake: ['seeds', 'shard', 'jobs', 'merge', 'out', 'wind', ...FLAGS],
+};
+
+/** Whether argument i is an option that takes a value and has a number below zero behind it. */
+const isNegative = (args: readonly string[], i: number): boolean =>
+  /^--[a-z-]+$/.test(args[i] ?? '') && /^-\d/.test(args[i + 1] ?? '');
+
+type Values = {
+  readonly [Name in keyof typeof OPTIONS]?: (typeof OPTIONS)[Name]['type'] extends 'string' ? string : boolean;
+};
+
+function parse(args: readonly string[]): { values: Values & FlagValues; positionals: string[] } {
   try {
     // Node takes `--seed -1` for two options and asks what was meant; said as one it gets the answer that fits.
     const joined = args.flatMap((arg, i) =>
-      isSeed(args, i) ? [`--seed=${args[i + 1]}`] : isSeed(args, i - 1) ? [] : [arg],
+      isNegative(args, i) ? [`${arg}=${args[i + 1]}`] : isNegative(args, i - 1) ? [] : [arg],
     );
-    return parseArgs({ args: joined, options: OPTIONS, allowPositionals: true });
+    const { values, positionals } = parseArgs({
+      args: joined,
+      options: { ...EXPORT_FLAGS, ...OPTIONS },
+      allowPositionals: true,
+    });
+    return { values: values as Values & FlagValues, positionals };
   } catch (error) {
     throw new UsageError(error instanceof Error ? error.message : String(error));
   }
 }
 
-function command(args: readonly string[], { out, err }: Streams): number {
+/** Throws where an option was given that the command does not read. */
+function checkOptions(name: string, values: FlagValues): void {
+  const read = READ[name];
+  const wrong = Object.keys(values).find((option) => !read?.includes(option));
+  if (!read || wrong === undefined) return;
+  if (read.length === 0) throw new UsageError(`${name} takes no options.`);
+  throw new UsageError(`${name} takes no --${wrong}; allowed: ${read.map((option) => `--${option}`).join(', ')}.`);
+}
+
+async function command(args: readonly string[], streams: Streams): Promise<number> {
   const { values, positionals } = parse(args);
+  const { out, err } = streams;
   const [name, ...rest] = positionals;
   if (values.help || (name === 'help' && rest.length === 0)) {
-    out(help());
+    out(helpText());
     return 0;
   }
   if (values.version) {
     out(version());
     return 0;
   }
+  const all: FlagValues = { ...values };
+  const flags: FlagValues = Object.fromEntries(FLAGS.map((flag) => [flag, all[flag]]));
+  const format = typeof flags.format === 'string' ? flags.format : undefined;
+  if (name !== undefined) checkOptions(name, all);
   switch (name) {
     case 'stats': {
       if (rest.length !== 1) throw new UsageError('stats takes one SPECIES: a file or the name of a shipped species.');
-      const measured = measure(findSpecies(rest[0]), seedOf(values.seed));
+      const measured = measure(findSpecies(rest[0]!, err).species, seedOf(values.seed));
       out(values.json ? JSON.stringify(measured.stats, null, 2) : statsText(measured));
       return 0;
     }
     case 'validate':
-      if (values.seed !== undefined || values.json) throw new UsageError('validate takes no options.');
       if (rest.length === 0) throw new UsageError('validate takes at least one FILE.');
-      return validate(rest, { out, err });
+      return validate(rest, streams);
+    case 'export':
+      if (rest.length !== 1) throw new UsageError('export takes one SPECIES: a file or the name of a shipped species.');
+      return exportCommand(
+        { species: rest[0]!, seed: seedOf(values.seed), format, out: values.out, wind: values.wind, flags },
+        streams,
+      );
+    case 'bake':
+      if (values.merge === undefined)
+        return bakeCommand(
+          {
+            species: rest,
+            seeds: values.seeds,
+            shard: values.shard,
+            out: values.out,
+            format,
+            wind: values.wind,
+            jobs: values.jobs,
+            flags,
+            version: version(),
+          },
+          streams,
+        );
+      if (rest.length > 0 || Object.keys(values).length > 1)
+        throw new UsageError('bake --merge DIR takes nothing else.');
+      return mergeCommand(values.merge, streams);
     case undefined:
-      throw new UsageError('Say what to do: stats or validate.');
+      throw new UsageError('Say what to do: stats, validate, export or bake.');
     default:
-      throw new UsageError(`There is no command "${name}": it is stats or validate.`);
+      throw new UsageError(`There is no command "${name}": it is stats, validate, export or bake.`);
   }
 }
 
 /** Runs the command with the arguments after its name; returns the exit status. */
-export function run(args: readonly string[], streams: Streams): number {
+export async function run(args: readonly string[], streams: Streams): Promise<number> {
   try {
-    return command(args, streams);
+    return await command(args, streams);
   } catch (error) {
+    streams.progress?.('');
     if (!(error instanceof Failure)) throw error;
     streams.err(error.message);
     if (error instanceof UsageError) streams.err('See windgrove --help.');

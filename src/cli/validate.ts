@@ -7,13 +7,15 @@ import { parseSpecies } from '../core/species/parse.ts';
 import { parseWindWithRecord } from '../core/wind/load-wind.ts';
 import { LONGEST_WIND } from '../core/wind/parse-wind.ts';
 import { Failure } from './failure.ts';
-import { readText } from './species-files.ts';
+import { importerOf, readText } from './species-files.ts';
 import type { Streams } from './streams.ts';
 
 /** What a file is, and what is wrong with it. */
 interface Checked {
   readonly kind: string;
   readonly faults: readonly Fault[];
+  /** What an import could not carry over. */
+  readonly notes?: readonly string[];
 }
 
 /** Checks files of species and winds, and lists of them; one line a file or a fault. Returns the exit status. */
@@ -21,9 +23,10 @@ export function validate(files: readonly string[], { out, err }: Streams): numbe
   let status = 0;
   for (const file of files) {
     try {
-      const { kind, faults } = check(file);
+      const { kind, faults, notes = [] } = check(file);
       if (faults.length === 0) {
         out(`${file}: a valid ${kind}`);
+        for (const note of notes) out(`  ${note}`);
         continue;
       }
       for (const fault of faults) err(`${file}: ${faultText(fault)}`);
@@ -38,7 +41,14 @@ export function validate(files: readonly string[], { out, err }: Streams): numbe
 
 /** What the file says that it is decides how it is read: its format, or that it is a list. */
 function check(file: string): Checked {
-  const { value, fault } = readJson(readText(file), 'a species or a wind', LONGEST_WIND);
+  const text = readText(file);
+  const importer = importerOf(text);
+  if (importer) {
+    const imported = importer.parse(text);
+    const kind = `tree of ${importer.program}`;
+    return imported.faults ? { kind, faults: imported.faults } : { kind, faults: [], notes: imported.notes };
+  }
+  const { value, fault } = readJson(text, 'a species or a wind', LONGEST_WIND);
   if (fault) return { kind: '', faults: [fault] };
   if (Array.isArray(value)) return checkIndex(file, value);
   switch (formatOf(value)) {

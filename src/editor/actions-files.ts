@@ -6,15 +6,13 @@ import { windText } from '../core/wind/wind-file.ts';
 import type { Doing } from './doing.ts';
 import { editedWind, putWind } from './edited-wind.ts';
 import { FileError } from './file-error.ts';
+import { messageWords, windMessages } from './words/messages.ts';
 
 /** The wind that a text is; throws a FileError under `title`. */
 export function readWind(text: string, title: string): Wind {
   const parsed = parseWind(text);
   if (!parsed.wind) throw FileError.of(title, parsed.faults);
-  if (parsed.recordFile !== null)
-    throw new FileError(title, [
-      `Its measured wind lies in a file beside it, ${parsed.recordFile}, which is not here.`,
-    ]);
+  if (parsed.recordFile !== null) throw new FileError(title, [windMessages.recordMissing(parsed.recordFile)]);
   return parsed.wind;
 }
 
@@ -40,7 +38,7 @@ export function fileActions({ document, session, services, set, say, notify }: D
       putWind(document, session, wind, OWN_WIND);
       session.setState({ gust: null });
       if (!document.getState().blowing) set({ blowing: true });
-      say(`${wind.name} blows`);
+      say(windMessages.blows(wind.name));
       return true;
     } catch (error) {
       if (!(error instanceof FileError)) throw error;
@@ -52,29 +50,29 @@ export function fileActions({ document, session, services, set, say, notify }: D
 
   return {
     /** Takes a wind that was copied as JSON; where it is none, one message says why and nothing changes. */
-    pasteWind: (pasted: string) => take(pasted, 'What was pasted is no wind; yours still blows'),
+    pasteWind: (pasted: string) => take(pasted, windMessages.pasted),
     /** Takes the text of a file. */
-    openWind: (opened: string, name: string) => take(opened, `${name} was not opened`),
+    openWind: (opened: string, name: string) => take(opened, messageWords.notOpened(name)),
     /** Takes a measured wind: it blows in place of the waves. */
     openRecord(csv: string, name: string): boolean {
       const { record, notes, faults } = parsedRecord(csv, name);
       if (!record) {
-        const { message, lines } = FileError.of(`${name} was not opened`, faults);
+        const { message, lines } = FileError.of(messageWords.notOpened(name), faults);
         notify('error', message, lines);
         return false;
       }
       const silent = editedWind(document, session).wind.waves.map((wave) => ({ ...wave, on: false }));
       putWind(document, session, { record, waves: silent });
       if (!document.getState().blowing) set({ blowing: true });
-      notify('note', `${name} blows in place of the waves`, notes);
+      notify('note', windMessages.recordBlows(name), notes);
       return true;
     },
     async copyWind(): Promise<void> {
       try {
         await services.copy(text());
-        notify('note', 'The wind is copied as JSON; paste it here, in another tab or into a file');
+        notify('note', windMessages.copied);
       } catch {
-        notify('warning', 'The browser does not let this page copy; download the wind as a file');
+        notify('warning', windMessages.notCopied);
       }
     },
     saveWind: () => services.save(`${fileName(editedWind(document, session).wind.name)}.json`, text()),

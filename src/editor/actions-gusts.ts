@@ -5,6 +5,7 @@ import { DEFAULT_GUST, type Gust, MOST_GUSTS } from '../core/wind/wind.ts';
 import { windDirection } from '../view/wind-direction.ts';
 import type { Doing } from './doing.ts';
 import { editedWind, putWind } from './edited-wind.ts';
+import { windMessages } from './words/messages.ts';
 
 /** Metres upwind of the tree where a gust begins that nobody aimed. */
 const UPWIND = 16;
@@ -42,12 +43,12 @@ export function gustActions({ document, session, clock, set, say }: Doing) {
       put([...(gusts.length < MOST_GUSTS ? gusts : gusts.toSpliced(oldest, 1)), gust]);
       if (!document.getState().blowing) set({ blowing: true });
       session.setState({ gust: wind().gusts.length - 1 });
-      say(`A gust starts at ${start.toFixed(1)} seconds`);
+      say(windMessages.gustStarts(start));
     },
     /** The next click on the ground throws a gust, until this is called with false. */
     setThrowing(throwing: boolean): void {
       session.setState({ throwing });
-      say(throwing ? 'Click the ground to throw a gust; Escape ends it' : '');
+      say(throwing ? windMessages.aiming : '');
     },
     chooseGust: (gust: number | null) => session.setState({ gust }),
     setGustNumber(index: number, number: GustNumber, shown: number): void {
@@ -59,12 +60,12 @@ export function gustActions({ document, session, clock, set, say }: Doing) {
     removeGust(index: number): void {
       put(wind().gusts.toSpliced(index, 1));
       session.setState({ gust: null });
-      say('Gust removed');
+      say(windMessages.gustRemoved);
     },
     removeGusts(): void {
       put([]);
       session.setState({ gust: null });
-      say('All gusts removed');
+      say(windMessages.gustsRemoved);
     },
   };
 }

@@ -1,6 +1,7 @@
 import { roundTime } from '../core/link/link.ts';
 import { LINK_NUMBERS, roundTo } from '../core/link/numbers.ts';
 import type { Doing } from './doing.ts';
+import { windMessages } from './words/messages.ts';
 
 /** How fast time runs in slow motion. */
 export const SLOW = 0.25;
@@ -10,12 +11,12 @@ export function timeActions({ document, clock, set, say }: Doing) {
   const play = (): void => {
     clock.play();
     set({ paused: false });
-    say('Playing');
+    say(windMessages.playing);
   };
   const pause = (): void => {
     clock.pause();
     set({ paused: true, time: roundTime(clock.time) });
-    say('Paused');
+    say(windMessages.paused);
   };
   const setRate = (rate: number): void => {
     clock.rate = roundTo(LINK_NUMBERS.rate, rate);
@@ -39,7 +40,7 @@ export function timeActions({ document, clock, set, say }: Doing) {
     toggleSlow(): void {
       const slow = document.getState().rate >= 1;
       setRate(slow ? SLOW : 1);
-      say(slow ? 'Slow motion' : 'Real time');
+      say(slow ? windMessages.slow : windMessages.real);
     },
     time: (): number => clock.time,
   };

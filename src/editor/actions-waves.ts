@@ -5,6 +5,7 @@ import { DEFAULT_WAVE, MOST_WAVES, type Wave } from '../core/wind/wind.ts';
 import { windDirection } from '../view/wind-direction.ts';
 import type { Doing } from './doing.ts';
 import { editedWind, putWind } from './edited-wind.ts';
+import { windMessages } from './words/messages.ts';
 
 /** Turns from one added wave to the next: the golden ratio, so that no two are in step. */
 const GOLDEN = 0.618034;
@@ -30,7 +31,7 @@ export function waveActions({ document, session, clock, say }: Doing) {
       if (waves.length >= MOST_WAVES) return null;
       const direction = windDirection(wind()) ?? 0;
       put([...waves, { ...DEFAULT_WAVE, direction, phase: (waves.length * GOLDEN) % 1 }]);
-      say(`Wave ${waves.length + 1} added`);
+      say(windMessages.waveAdded(waves.length + 1));
       return waves.length;
     },
     /** A copy right behind it, half a turn later. */
@@ -39,11 +40,11 @@ export function waveActions({ document, session, clock, say }: Doing) {
       const wave = waves[index];
       if (!wave || waves.length >= MOST_WAVES) return;
       put(waves.toSpliced(index + 1, 0, { ...wave, solo: false, phase: (wave.phase + 0.5) % 1 }));
-      say(`Wave ${index + 2} added, a copy of wave ${index + 1}`);
+      say(windMessages.waveCopied(index + 2, index + 1));
     },
     removeWave(index: number): void {
       put(wind().waves.toSpliced(index, 1));
-      say(`Wave ${index + 1} removed`);
+      say(windMessages.waveRemoved(index + 1));
     },
     moveWave(from: number, to: number): void {
       const { waves } = wind();
@@ -51,7 +52,7 @@ export function waveActions({ document, session, clock, say }: Doing) {
       const place = Math.min(waves.length - 1, Math.max(0, to));
       if (!wave || place === from) return;
       put(waves.toSpliced(from, 1).toSpliced(place, 0, wave));
-      say(`Now wave ${place + 1} of ${waves.length}`);
+      say(windMessages.waveMoved(place + 1, waves.length));
     },
   };
 }

@@ -9,6 +9,7 @@ import type { Doing } from './doing.ts';
 import { editedWind, putWind } from './edited-wind.ts';
 import type { Side } from './session.ts';
 import { turnedWind } from './turned-wind.ts';
+import { windMessages } from './words/messages.ts';
 
 const AS_GROWN: SpringLevel = { frequency: null, damping: null };
 
@@ -25,7 +26,7 @@ export function windActions({ document, session, clock, set, say }: Doing) {
     edited,
     setBlowing(blowing: boolean): void {
       set({ blowing });
-      say(blowing ? 'Wind on' : 'Wind off');
+      say(blowing ? windMessages.on : windMessages.off);
     },
     setPreset(id: string): void {
       const found = session.getState().winds.find((w) => w.id === id);
@@ -52,8 +53,7 @@ export function windActions({ document, session, clock, set, say }: Doing) {
     loopEvery(seconds: number): LoopedWind {
       const looped = loopWind(edited().wind, seconds, clock.time);
       put(looped.wind);
-      const open = looped.open.length > 0 ? `; ${looped.open.join(' and ')} do not come around` : '';
-      say(`The wind comes around every ${seconds} seconds${open}`);
+      say(windMessages.loops(seconds, looped.open));
       return looped;
     },
     setStrength: (strength: number) => put({ strength }),
@@ -99,7 +99,7 @@ export function windActions({ document, session, clock, set, say }: Doing) {
       const { wind, preset } = document.getState();
       setCompare({ wind, preset, layout, at: 0.5 });
       session.setState({ side: 'B' });
-      say('Two winds, A and B; the mixer changes B');
+      say(windMessages.two);
     },
     setCompareAt(at: number): void {
       const { compare } = document.getState();
@@ -110,7 +110,7 @@ export function windActions({ document, session, clock, set, say }: Doing) {
       const { wind, preset, compare } = document.getState();
       if (!compare) return;
       set({ wind: compare.wind, preset: compare.preset, compare: { ...compare, wind, preset } });
-      say(`A is now ${compare.wind.name}, B ${wind.name}`);
+      say(windMessages.swapped(compare.wind.name, wind.name));
     },
     setSide(side: Side): void {
       if (document.getState().compare) session.setState({ side, gust: null });

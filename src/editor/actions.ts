@@ -1,14 +1,20 @@
 import { type CameraPose, type LinkDocument, roundCamera, type Theme, type ViewMode } from '../core/link/link.ts';
-import { LINK_NUMBERS, roundTo } from '../core/link/numbers.ts';
+import { exportActions } from './actions-export.ts';
 import { fileActions } from './actions-files.ts';
 import { gustActions } from './actions-gusts.ts';
+import { historyActions } from './actions-history.ts';
+import { projectActions } from './actions-project.ts';
+import { snapshotActions } from './actions-snapshots.ts';
+import { stemActions } from './actions-stem.ts';
 import { timeActions } from './actions-time.ts';
+import { treeActions } from './actions-tree.ts';
 import { waveActions } from './actions-waves.ts';
 import { windActions } from './actions-wind.ts';
+import { asSteps } from './as-steps.ts';
 import type { DocumentStore } from './document-store.ts';
 import type { Doing, Services, Time } from './doing.ts';
 import { type Preferences, savePreferences } from './preferences.ts';
-import type { Detent, Notice, Panel, SessionStore } from './session.ts';
+import type { Detent, Dialog, Notice, Panel, SessionStore } from './session.ts';
 
 /** Messages that stand at one time: more would cover the picture, and the oldest have been seen. */
 const MOST_NOTICES = 4;
@@ -26,26 +32,27 @@ export function createActions(
   let notices = 0;
   const set = (change: Partial<LinkDocument>): void => document.setState(change);
   const say = (spoken: string): void => session.setState({ spoken });
-  const notify = (kind: Notice['kind'], title: string, lines: readonly string[] = []): void => {
-    const notice = { id: ++notices, kind, title, lines };
+  const notify: Doing['notify'] = (kind, title, lines = [], offer) => {
+    const notice: Notice = { id: ++notices, kind, title, lines, ...(offer ? { offer } : {}) };
     // A message about the same thing takes the place of the last one.
     const others = session.getState().notices.filter((n) => n.title !== title);
     session.setState({ notices: [...others, notice].slice(-MOST_NOTICES) });
   };
   const doing: Doing = { document, session, preferences, clock, services, set, say, notify };
   const gusts = gustActions(doing);
+  const readers = { ...fileActions(doing), ...treeActions(doing), ...snapshotActions(doing) };
 
-  return {
+  return asSteps(document.history, {
     ...timeActions(doing),
     ...windActions(doing),
     ...waveActions(doing),
     ...gusts,
-    ...fileActions(doing),
+    ...readers,
+    ...historyActions(doing),
+    ...projectActions(doing, readers),
+    ...stemActions(doing),
+    ...exportActions(doing),
 
-    setSpecies: (species: string) => set({ species, ownSpecies: null, edits: {}, probe: null }),
-    openSpecies: (text: string) => set({ ownSpecies: text, edits: {}, probe: null }),
-    setSeed: (seed: number) => set({ seed: roundTo(LINK_NUMBERS.seed, seed), probe: null }),
-    rollSeed: () => set({ seed: crypto.getRandomValues(new Uint32Array(1))[0]! % 10_000, probe: null }),
     setLevels: (levelsShown: number) => set({ levelsShown }),
     setShowLeaves: (showLeaves: boolean) => set({ showLeaves }),
     setView: (view: ViewMode) => set({ view }),
@@ -67,7 +74,8 @@ export function createActions(
     say,
     share: services.share,
     cancelGrowing: services.cancelGrowing,
-    setHelp: (help: boolean) => session.setState({ help }),
+    openDialog: (dialog: Dialog) => session.setState({ dialog }),
+    closeDialog: () => session.setState({ dialog: null }),
     setTab: (tab: Panel) => session.setState({ tab }),
     setDetent: (detent: Detent) => session.setState({ detent }),
     hideHint(): void {
@@ -75,9 +83,10 @@ export function createActions(
     },
     /** Leaves the mode that the page is in; false where it is in none. */
     leave(): boolean {
-      const { throwing, gust } = session.getState();
+      const { throwing, gust, stem } = session.getState();
       if (throwing) gusts.setThrowing(false);
       else if (gust !== null) session.setState({ gust: null });
+      else if (stem !== null) session.setState({ stem: null, stemPath: null });
       else return false;
       return true;
     },
@@ -90,9 +99,14 @@ export function createActions(
       preferences.studioHeight = height;
       savePreferences(preferences);
     },
+    /** Pixels; null: as it is at first. */
+    setGrowWidth(width: number | null): void {
+      preferences.growWidth = width;
+      savePreferences(preferences);
+    },
     setShortcuts(on: boolean): void {
       preferences.shortcuts = on;
       savePreferences(preferences);
     },
-  };
+  });
 }

@@ -1,29 +1,43 @@
-import { type DecodeOptions, decodeLink, encodeLink, type LinkDocument, type LinkFault } from '../core/link/link.ts';
+import {
+  type DecodeOptions,
+  decodeLink,
+  encodeLink,
+  isLinkKey,
+  type LinkDocument,
+  type LinkFault,
+} from '../core/link/link.ts';
 
 /** At most one writing of the address in so many milliseconds: browsers refuse more than a hundred in half a minute. */
 const PACE = 400;
-
-/** Keys of a link that may stand in the query too; others there belong to somebody else. */
-const ours =
-  /^(s|own|seed|t|paused|rate|cam|levels|leaves|view|theme|arrows|fronts|handle|probe|blow|compare|(b\.)?(wind|name|says|strength|waves|w[1-8]|g([1-9]|1[0-6])|profile|zero|rec|stiff|model|spring|levelhz|leveldamp|sway|p|m|pose|paper))$/;
 
 /** The address of the page and the document, both ways. */
 export class Address {
   private timer = 0;
   private next: LinkDocument | null = null;
+  /** The page stands in another page: its address says so, and goes on saying so. */
+  readonly embed = new URLSearchParams(location.hash.slice(1)).get('embed') === '1';
 
-  /** Reads the part behind `#`, and what of a link stands in the query. */
-  read(options: DecodeOptions): { document: LinkDocument; faults: LinkFault[] } {
-    const query = [...new URLSearchParams(location.search)].filter(([key]) => ours.test(key));
-    const link = [new URLSearchParams(query).toString(), location.hash.replace(/^#/, '')].filter(Boolean).join('&');
-    return decodeLink(link, options);
+  /** The link of the address: the part behind `#`, and what of a link stands in the query; '' where there is none. */
+  private get link(): string {
+    const query = [...new URLSearchParams(location.search)].filter(([key]) => isLinkKey(key));
+    const hash = location.hash.replace(/^#/, '').replace(/(^|&)embed=1(?=&|$)/, '');
+    return [new URLSearchParams(query).toString(), hash].filter(Boolean).join('&');
   }
 
-  /** The whole address of a document. */
-  of(document: LinkDocument): string {
+  /** Whether the address asks for anything. */
+  get asks(): boolean {
+    return this.link !== '';
+  }
+
+  read(options: DecodeOptions): { document: LinkDocument; faults: LinkFault[] } {
+    return decodeLink(this.link, options);
+  }
+
+  /** The whole address of a document; `embed`: for a frame of another page. */
+  of(document: LinkDocument, embed = this.embed): string {
     const url = new URL(location.href);
     url.search = '';
-    url.hash = encodeLink(document);
+    url.hash = `${encodeLink(document)}${embed ? '&embed=1' : ''}`;
     return url.href;
   }
 

@@ -1,7 +1,10 @@
-import { type LinkDocument, type LinkFault, roundTime } from '../core/link/link.ts';
+import { decodeLink, type LinkDocument, type LinkFault, roundTime } from '../core/link/link.ts';
+import type { Species } from '../core/species/species.ts';
 import { Clock } from '../view/clock.ts';
+import type { GrownTree } from '../view/picture/grow-tree.ts';
 import { openPicture } from '../view/picture/open-picture.ts';
 import { createActions } from './actions.ts';
+import { followStem } from './actions-stem.ts';
 import { Address } from './address.ts';
 import { createDocument, watch } from './document-store.ts';
 import { listenToDrops } from './drop.ts';
@@ -9,44 +12,44 @@ import type { Editor } from './editor.ts';
 import { FileError } from './file-error.ts';
 import { firstDocument } from './first-document.ts';
 import { followDocument } from './follow-document.ts';
+import { followTitle } from './follow-title.ts';
 import { Grower } from './grower.ts';
+import { listenToHolds } from './hold-controls.ts';
+import { followFile } from './kept-file.ts';
 import { linkFaultLines } from './link-faults.ts';
+import { listenToKeys } from './listen-keys.ts';
 import { Loop } from './loop.ts';
-import { openFile } from './open-file.ts';
 import { listenToOrbitKeys } from './orbit-keys.ts';
+import { pageWork } from './page-work.ts';
 import { listenToPastes } from './paste.ts';
 import { loadPreferences, savePreferences } from './preferences.ts';
 import { sceneEvents } from './scene-events.ts';
 import { pageServices } from './services.ts';
 import { createSession } from './session.ts';
-import { listenToKeys } from './shortcuts.ts';
 import { loadIndex } from './species-source.ts';
+import { startWork } from './start-work.ts';
 import { createStudio, type Studio } from './studio/studio.ts';
 import { installTestHook } from './test-hook.ts';
 import { followTheme } from './theme.ts';
+import { thumbnailOf } from './thumbnail.ts';
 import './ui/app.ts';
 import { followInsets, followWidth } from './window-shape.ts';
 import { firstWind, loadWinds } from './winds-source.ts';
+import { messageWords } from './words/messages.ts';
 
 /** Milliseconds between two readings of the figures while playing. */
 const FIGURES = 500;
-
-const HINTS = {
-  first: 'Drag the wind.',
-  still: 'Your system asks for less motion, so time stands still. Press play, or Space, to let it run.',
-};
-
-const STILL =
-  'The tree is drawn once for each change. Another browser, or graphics acceleration switched on, shows it in the wind.';
 
 /** Starts the editor: the picture in `host`, the interface in `place`. */
 export async function boot(host: HTMLElement, place: HTMLElement): Promise<void> {
   const root = window.document.documentElement;
   const preferences = loadPreferences();
   const lessMotion = matchMedia('(prefers-reduced-motion: reduce)').matches;
-  const session = createSession();
   const clock = new Clock();
   const address = new Address();
+  const session = createSession({ embed: address.embed });
+  // In a frame of another page nothing is made, so nothing is kept.
+  const work = address.embed ? null : pageWork();
 
   const [index, { winds, broken }] = await Promise.all([
     loadIndex().then(
@@ -62,6 +65,7 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
     winds: Object.fromEntries(winds.map((w) => [w.id, w.wind])),
   };
   const first = address.read(decoding);
+  const begin = work && (await work.begin(address.asks ? first.document : null, decoding.defaults));
   const document = createDocument(first.document);
   /** The document as the link holds it at this moment: while playing, the clock knows the time. */
   const now = (): LinkDocument => ({ ...document.getState(), time: roundTime(clock.time) });
@@ -74,6 +78,13 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
     pageServices({
       address,
       now,
+      first: () => decoding.defaults,
+      read: (link) => decodeLink(link, decoding),
+      show(whole) {
+        document.setState(whole);
+        restart();
+      },
+      thumbnail: async () => grown && thumbnailOf(picture, ...grown),
       notify: (kind, title, lines) => actions.notify(kind, title, lines),
       cancelGrowing: () => grower.cancel(),
       ships: (record) => winds.some((w) => w.wind.record?.name === record),
@@ -83,9 +94,12 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
     if (error instanceof FileError) actions.notify('error', error.message, error.lines);
     else actions.notify('error', title, [error instanceof Error ? error.message : String(error)]);
   };
-  const open = (file: File): void =>
-    void openFile(file, actions).catch((error: unknown) => tell(`${file.name} could not be read`, error));
+  const open = (file: File): void => void actions.openFile(file);
+  if (work && begin) startWork(work, begin, { document, session, actions, now, link: first.document });
+  followFile(document, session);
 
+  /** The tree on the screen, for small pictures of it. */
+  let grown: readonly [GrownTree, Species] | null = null;
   let measured = 0;
   // Its first frame comes after all that it speaks of has been made.
   const loop = new Loop(
@@ -103,20 +117,22 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
     },
     () => picture.moving || session.getState().catchingUp !== null,
   );
-  const { picture, lack, reason } = openPicture(
+  const { picture, lack, reason } = await openPicture(
     host,
-    sceneEvents(actions, session, loop.invalidate, () => studio),
+    sceneEvents(document, actions, session, loop.invalidate, () => studio),
   );
   const shared = { document, session, preferences, actions, picture, onFrame: loop.onFrame };
   const studio: Studio = createStudio(shared, picture);
   const editor: Editor = { ...shared, studio };
-  const grower: Grower = new Grower(document, session, actions, (tree, of) => {
-    picture.setTree(tree, of);
+  const grower: Grower = new Grower(document, session, actions, (tree, of, draft) => {
+    if (!draft) grown = [tree, of];
+    picture.setTree(tree, of, { draft });
     studio.setTree(tree.packed);
     loop.invalidate();
   });
 
   followWidth(session);
+  followStem(session);
   const app = window.document.createElement('wg-app') as HTMLElement & {
     editor: Editor;
     updateComplete: Promise<boolean>;
@@ -159,11 +175,12 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
     (s) => s.tree,
     (tree) => {
       if (!tree) return;
-      window.document.title = `${tree.species.name} · Windgrove`;
-      const label = `${tree.species.name}, seed ${tree.seed}. Arrow keys walk around it, plus and minus come closer and go away.`;
+      const label = messageWords.picture(tree.species.name, tree.seed);
       picture.canvas.setAttribute('aria-label', label);
     },
   );
+  followTitle(document, session);
+  listenToHolds(actions);
   listenToKeys(editor);
   listenToOrbitKeys(picture, actions);
   listenToDrops(open);
@@ -172,21 +189,22 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
 
   const tellFaults = (faults: readonly LinkFault[]): void => {
     if (faults.length === 0) return;
-    actions.notify('error', 'Parts of this link could not be used; the rest applies', linkFaultLines(faults));
+    actions.notify('error', messageWords.link, linkFaultLines(faults));
   };
-  if (index.error) tell('The list of species could not be read', index.error);
-  for (const error of broken) tell('A wind could not be read', error);
+  if (index.error) tell(messageWords.noSpecies, index.error);
+  for (const error of broken) tell(messageWords.noWind, error);
   tellFaults(first.faults);
-  if (lessMotion && first.document.paused) session.setState({ hint: HINTS.still });
-  else if (!preferences.visited && lack !== 'still') session.setState({ hint: HINTS.first });
+  if (lessMotion && document.getState().paused)
+    session.setState({ hint: messageWords.hints.still, offer: !preferences.visited });
+  else if (!preferences.visited && lack !== 'still') session.setState({ hint: messageWords.hints.first, offer: true });
   preferences.visited = true;
   savePreferences(preferences);
-  if (lack === 'slow') actions.notify('warning', 'The wind is slower here than it could be', [reason]);
+  if (lack === 'slow') actions.notify('warning', messageWords.slow, [reason]);
   if (lack === 'still') {
-    actions.notify('warning', 'This is a still picture', [reason, STILL]);
+    actions.notify('warning', messageWords.still, [reason, messageWords.stillSays]);
     document.setState({ paused: true });
   }
   restart();
   // Without the list there is one message, not two; a species of the reader's own needs no list.
-  if (!index.error || first.document.ownSpecies !== null) await grower.grow();
+  if (!index.error || document.getState().ownSpecies !== null) await grower.grow();
 }

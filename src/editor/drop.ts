@@ -1,3 +1,5 @@
+import { frameWords } from './words/frame.ts';
+
 /** Takes files that are dropped anywhere on the page. */
 export function listenToDrops(onFile: (file: File) => void): void {
   const root = document.documentElement;
@@ -5,6 +7,7 @@ export function listenToDrops(onFile: (file: File) => void): void {
   window.addEventListener('dragover', (event) => {
     if (!hasFile(event)) return;
     event.preventDefault();
+    root.dataset.drop = frameWords.drop;
     root.classList.add('dropping');
   });
   window.addEventListener('dragleave', (event) => {

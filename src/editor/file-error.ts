@@ -1,4 +1,5 @@
 import { type Fault, faultText } from '../core/file/fault.ts';
+import { messageWords } from './words/messages.ts';
 
 /** Faults that a message lists; a file of another kind has hundreds. */
 const LISTED = 8;
@@ -17,7 +18,7 @@ export class FileError extends Error {
     const more = faults.length - LISTED;
     return new FileError(title, [
       ...faults.slice(0, LISTED).map(faultText),
-      ...(more > 0 ? [`${more} more like these.`] : []),
+      ...(more > 0 ? [messageWords.more(more)] : []),
     ]);
   }
 }

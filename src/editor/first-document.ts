@@ -10,6 +10,7 @@ export const firstDocument = (theme: Theme, paused: boolean, breeze: Wind): Link
     species: 'quaking-aspen',
     ownSpecies: null,
     edits: {},
+    treeName: null,
     seed: 1,
     time: 0,
     paused,

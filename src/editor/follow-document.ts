@@ -7,6 +7,9 @@ import { fadeOf } from './fade.ts';
 /** The wind that blows: none where it is switched off. */
 const blowing = (d: LinkDocument, wind: Wind): Wind => (d.blowing ? wind : { ...wind, strength: 0 });
 
+/** What of the session is drawn in the scene. */
+const IN_SCENE = ['highlight', 'throwing', 'handling', 'stem', 'hoveredStem', 'envelopeShown', 'channel'] as const;
+
 /** What the picture draws beside A: nothing, or B. */
 const beside = (d: LinkDocument) =>
   d.compare && { wind: blowing(d, d.compare.wind), layout: d.compare.layout, at: d.compare.at };
@@ -24,11 +27,13 @@ export function followDocument(
 ): () => void {
   const overlays = (): void => {
     const { overlays, probe } = document.getState();
-    const { highlight, throwing, handling } = session.getState();
+    const { highlight, throwing, handling, stem, hoveredStem, envelopeShown, channel, tree } = session.getState();
     const { open, place } = studio.store.getState();
     // Whoever looks at the studio sees what it listens to, chosen or not.
     const shown = open && place ? place.piece : probe;
-    picture.setOverlays({ ...overlays, probe: shown, highlight, throwing, handling });
+    const envelope = envelopeShown && tree ? tree.species.pruning : null;
+    const inScene = { stem, hoveredStem, handles: stem !== null, envelope, channel };
+    picture.setOverlays({ ...overlays, ...inScene, probe: shown, highlight, throwing, handling });
   };
   document.subscribe((now, before) => {
     const stopped = now.paused && !before.paused;
@@ -50,8 +55,8 @@ export function followDocument(
     });
   });
   session.subscribe((now, before) => {
-    const same = (['highlight', 'throwing', 'handling'] as const).every((key) => now[key] === before[key]);
-    if (same) return;
+    const pruned = now.envelopeShown && now.tree?.species.pruning !== before.tree?.species.pruning;
+    if (!pruned && IN_SCENE.every((key) => now[key] === before[key])) return;
     overlays();
     onChange({ grow: false });
   });

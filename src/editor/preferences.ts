@@ -7,6 +7,10 @@ export interface Preferences {
   folds: Record<string, boolean>;
   /** Height of the studio's drawer in pixels; null: as the window's height suggests. */
   studioHeight: number | null;
+  /** Width of the left panel in pixels; null: as the window's width suggests. */
+  growWidth: number | null;
+  /** What was chosen last in the export, by kind of file; what reads it checks it. */
+  exports: Record<string, Record<string, unknown>>;
   /** Keys act without a control being focused. */
   shortcuts: boolean;
   /** The reader has been here before. */
@@ -14,19 +18,36 @@ export interface Preferences {
 }
 
 const KEY = 'windgrove';
-const fresh = (): Preferences => ({ theme: 'auto', folds: {}, studioHeight: null, shortcuts: true, visited: false });
+const fresh = (): Preferences => ({
+  theme: 'auto',
+  folds: {},
+  studioHeight: null,
+  growWidth: null,
+  exports: {},
+  shortcuts: true,
+  visited: false,
+});
+
+const isRecord = (entry: [string, unknown]): entry is [string, Record<string, unknown>] =>
+  typeof entry[1] === 'object' && entry[1] !== null;
+
+const pixels = (value: unknown): number | null => (Number.isFinite(value) ? (value as number) : null);
 
 /** What was remembered; a fresh start where that is nothing, broken or forbidden. */
 export function loadPreferences(): Preferences {
   try {
     const found: unknown = JSON.parse(localStorage.getItem(KEY) ?? '{}');
     if (typeof found !== 'object' || found === null) return fresh();
-    const { theme, folds, studioHeight, shortcuts, visited } = found as Partial<Record<keyof Preferences, unknown>>;
+    const { theme, folds, studioHeight, growWidth, shortcuts, exports, visited } = found as Partial<
+      Record<keyof Preferences, unknown>
+    >;
     const entries = Object.entries(folds ?? {}).filter((e): e is [string, boolean] => typeof e[1] === 'boolean');
     return {
       theme: THEMES.find((t) => t === theme) ?? 'auto',
       folds: Object.fromEntries(entries),
-      studioHeight: Number.isFinite(studioHeight) ? (studioHeight as number) : null,
+      studioHeight: pixels(studioHeight),
+      growWidth: pixels(growWidth),
+      exports: Object.fromEntries(Object.entries(exports ?? {}).filter(isRecord)),
       shortcuts: shortcuts !== false,
       visited: visited === true,
     };

@@ -1,4 +1,5 @@
 import { FileError } from './file-error.ts';
+import { messageWords } from './words/messages.ts';
 
 /** Where a file of `public/` lies, wherever the page does. */
 export const publicUrl = (path: string): URL => new URL(path, document.baseURI);
@@ -7,14 +8,14 @@ export const publicUrl = (path: string): URL => new URL(path, document.baseURI);
 export async function fetchText(path: string, what: string): Promise<string> {
   const url = publicUrl(path);
   const response = await fetch(url).catch((error: unknown) => {
-    throw new FileError(`${what} could not be loaded`, [
-      `${url.pathname}: ${String(error)}`,
-      'Is the connection up? Reload the page to try again.',
+    throw new FileError(messageWords.notLoaded(what), [
+      messageWords.why(url.pathname, String(error)),
+      messageWords.connection,
     ]);
   });
   if (!response.ok)
-    throw new FileError(`${what} could not be loaded`, [
-      `${url.pathname}: the server says ${response.status} ${response.statusText}`,
+    throw new FileError(messageWords.notLoaded(what), [
+      messageWords.server(url.pathname, `${response.status} ${response.statusText}`),
     ]);
   return response.text();
 }
@@ -22,6 +23,6 @@ export async function fetchText(path: string, what: string): Promise<string> {
 /** The text of a file that the reader gave, unless it is longer than `longest` bytes. */
 export async function textOf(file: File, longest: number): Promise<string> {
   if (file.size > longest)
-    throw new FileError(`${file.name} was not opened`, [`It has ${file.size} bytes; at most ${longest} are read.`]);
+    throw new FileError(messageWords.notOpened(file.name), [messageWords.tooLong(file.size, longest)]);
   return file.text();
 }

@@ -1,12 +1,14 @@
 import type { PictureEvents } from '../view/picture/picture.ts';
 import type { Actions } from './actions.ts';
+import type { DocumentStore } from './document-store.ts';
 import type { SessionStore } from './session.ts';
+import { stemHandles } from './stem-handles.ts';
 import type { Studio } from './studio/studio.ts';
-
-const LOST = 'The graphics card was taken away; the picture comes back with it';
+import { messageWords } from './words/messages.ts';
 
 /** What the reader does in the picture itself, as actions. */
 export function sceneEvents(
+  document: DocumentStore,
   actions: Actions,
   session: SessionStore,
   invalidate: () => void,
@@ -16,24 +18,34 @@ export function sceneEvents(
     onChange: invalidate,
     onCamera: actions.setCamera,
     onLost(lost) {
-      if (lost) actions.notify('warning', LOST);
-      else actions.retract(LOST);
+      if (lost) actions.notify('warning', messageWords.graphicsLost);
+      else actions.retract(messageWords.graphicsLost);
       invalidate();
     },
     onHandle(direction, strength, done) {
       actions.hideHint();
+      actions.hold();
       actions.setBlowing(true);
       actions.turnWind(direction, strength);
-      if (done) actions.say(`Wind at ${Math.round(100 * strength)} per cent`);
+      if (!done) return;
+      actions.release();
+      actions.say(messageWords.windAt(Math.round(100 * strength)));
     },
-    // Who looks at no plot walks around the tree and means no branch.
-    onPickBranch(piece) {
-      if (studio().store.getState().open) actions.setProbe(piece);
+    onHoverStem: actions.hoverStem,
+    onPickStem(stem, piece) {
+      actions.selectStem(stem);
+      // Who looks at no plot means the stem alone.
+      if (piece !== null && studio().store.getState().open) actions.setProbe(piece);
     },
+    onStemHandle: stemHandles(document, session, actions),
     // Every click on the ground is told; outside of the mode it means nothing.
     onThrow(x, y) {
       if (session.getState().throwing) actions.throwGust({ x, y });
     },
-    onWipe: (at) => actions.setCompareAt(at),
+    onWipe(at, done) {
+      actions.hold();
+      actions.setCompareAt(at);
+      if (done) actions.release();
+    },
   };
 }

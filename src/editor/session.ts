@@ -1,8 +1,11 @@
 import { createStore } from 'zustand/vanilla';
+import type { LinkDocument } from '../core/link/link.ts';
+import type { StemTable } from '../core/pack/stem-table.ts';
 import type { Species } from '../core/species/species.ts';
 import type { Wind } from '../core/wind/wind.ts';
 import type { WizardChoice } from '../core/wind/wizard.ts';
-import type { FrameFigures, Insets } from '../view/picture/picture.ts';
+import type { ChannelView, FrameFigures, Insets } from '../view/picture/picture.ts';
+import type { KeptFile } from './kept-file.ts';
 
 /** A species of `species/index.json`. */
 export interface SpeciesEntry {
@@ -30,6 +33,8 @@ export interface Notice {
   readonly kind: 'error' | 'warning' | 'note';
   readonly title: string;
   readonly lines: readonly string[];
+  /** A button that the message has; it goes with it. */
+  readonly offer?: { readonly label: string; readonly act: () => void };
 }
 
 /** What a tree counts, for the statistics. */
@@ -58,8 +63,28 @@ export interface ShownTree {
   readonly species: Species;
   /** Without them: what a reset goes back to. */
   readonly base: Species;
+  /** What the document said of it, where it has not changed since. */
+  readonly source?: Pick<LinkDocument, 'species' | 'ownSpecies'>;
   readonly seed: number;
   readonly figures: TreeFigures;
+  /** What is known of its stems. */
+  readonly stems: StemTable;
+  /** Leaves or twigs are left out: grown quickly while a control is dragged. */
+  readonly draft?: boolean;
+}
+
+/** A state that the reader gave a name. */
+export interface Snapshot {
+  readonly id: string;
+  readonly name: string;
+  /** Milliseconds since 1970. */
+  readonly when: number;
+  /** The document as a link. */
+  readonly link: string;
+  /** The document itself, with what no link holds (a measured wind of the reader's own); null: the link has it all. */
+  readonly document: LinkDocument | null;
+  /** A small picture as a data: address, or null. */
+  readonly thumbnail: string | null;
 }
 
 /** Where the sheet of a narrow window stands. */
@@ -69,6 +94,9 @@ export type Detent = (typeof DETENTS)[number];
 /** Panels of the editor; on a narrow window the tabs of the sheet. */
 export const PANELS = ['grow', 'wind', 'studio', 'time', 'view'] as const;
 export type Panel = (typeof PANELS)[number];
+
+/** What can lie over the page: each is loaded when it is first opened (ui/dialogs.ts). */
+export type Dialog = 'help' | 'palette' | 'history' | 'export' | 'variety' | 'tour';
 
 /** Which of the two winds that are compared is edited; A where there is one. */
 export type Side = 'A' | 'B';
@@ -86,7 +114,12 @@ export interface Session {
   readonly spoken: string;
   /** One line for a first visit, empty afterwards. */
   readonly hint: string;
-  readonly help: boolean;
+  /** The panels at the sides have been loaded. */
+  readonly panels: boolean;
+  /** The hint offers the tour: on a first visit alone. */
+  readonly offer: boolean;
+  /** What lies over the page: one at a time. */
+  readonly dialog: Dialog | null;
   /** The next click on the ground throws a gust. */
   readonly throwing: boolean;
   /** A control of the whole wind's direction or strength has the focus: the handle in the scene shows it. */
@@ -106,6 +139,38 @@ export interface Session {
   readonly narrow: boolean;
   readonly detent: Detent;
   readonly tab: Panel;
+  /** Stem that is selected in the scene, or null; clones are stems of their own. */
+  readonly stem: number | null;
+  /** Its path (StemTable.path): by it the selection finds its stem in the next tree. */
+  readonly stemPath: number | null;
+  /** Stem that the mouse points at, or null. */
+  readonly hoveredStem: number | null;
+  /** Level of stems that the panel shows, 0..3. */
+  readonly level: number;
+  /** The pruning envelope stands around the tree. */
+  readonly envelopeShown: boolean;
+  /** Paths of parameters that keep their values when another species is chosen. */
+  readonly locks: ReadonlySet<string>;
+  /** The species is shown without the edits, to compare. */
+  readonly peek: boolean;
+  /** Wind channel of engines that colours the tree, or null. */
+  readonly channel: ChannelView | null;
+  /** A control of the tree is being dragged: what is shown may be a draft. */
+  readonly editing: boolean;
+  readonly canUndo: boolean;
+  readonly canRedo: boolean;
+  /** Named states that can be opened again, the latest first. */
+  readonly snapshots: readonly Snapshot[];
+  /** Whether what is shown is kept on this machine; `failed`: the browser keeps nothing. */
+  readonly saved: 'saved' | 'saving' | 'failed';
+  /** The project's file as it was opened or saved last; null: none yet. */
+  readonly file: KeptFile | null;
+  /** Its name. */
+  readonly fileName: string | null;
+  /** What is shown differs from that file. */
+  readonly changed: boolean;
+  /** The page stands in another page: the tree alone, without panels. */
+  readonly embed: boolean;
 }
 
 export type SessionStore = ReturnType<typeof createSession>;
@@ -120,7 +185,9 @@ export const createSession = (initial: Partial<Session> = {}) =>
     frames: null,
     spoken: '',
     hint: '',
-    help: false,
+    panels: false,
+    offer: false,
+    dialog: null,
     throwing: false,
     handling: false,
     side: 'A',
@@ -132,5 +199,22 @@ export const createSession = (initial: Partial<Session> = {}) =>
     narrow: false,
     detent: 'third',
     tab: 'grow',
+    stem: null,
+    stemPath: null,
+    hoveredStem: null,
+    level: 1,
+    envelopeShown: false,
+    locks: new Set<string>(),
+    peek: false,
+    channel: null,
+    editing: false,
+    canUndo: false,
+    canRedo: false,
+    snapshots: [],
+    saved: 'saved',
+    file: null,
+    fileName: null,
+    changed: false,
+    embed: false,
     ...initial,
   }));

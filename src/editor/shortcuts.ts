@@ -1,114 +1,152 @@
 import { ALL_LEVELS } from '../core/link/link.ts';
 import type { Editor } from './editor.ts';
+import { type Key, keyText, onMac } from './keys.ts';
+import { showPanel, showSearch } from './ui/show-panel.ts';
+import { commandWords } from './words/commands.ts';
 
-/** A key and what it does: the table that listens and that the help shows. */
-export interface Shortcut {
-  readonly group: 'Time' | 'Tree' | 'Wind' | 'View' | 'Sliders';
-  readonly keys: readonly { readonly key: string; readonly shown: string }[];
-  readonly label: string;
+export type CommandGroup = keyof typeof commandWords.groups;
+export type CommandId = keyof typeof commandWords.labels;
+
+/** Something that a reader can tell the page to do: the table listens to keys, draws the help and fills menus and palette. */
+export interface Command {
+  readonly id: CommandId;
+  readonly group: CommandGroup;
+  readonly keys: readonly Key[];
   /** Absent: the focused control does it by itself; the table only tells. */
   readonly act?: (editor: Editor) => void;
+  /** Whether it can be done now; absent: always. */
+  readonly enabled?: (editor: Editor) => boolean;
 }
 
-const key = (name: string, shown = name.toUpperCase()) => ({ key: name, shown });
+const key = (name: string, shown?: string): Key => (shown === undefined ? { key: name } : { key: name, shown });
+const mod = (name: string): Key => ({ key: name, mod: true });
+const modShift = (name: string): Key => ({ key: name, mod: true, shift: true });
 
-export const shortcuts: readonly Shortcut[] = [
-  { group: 'Time', keys: [key(' ', 'Space')], label: 'Play or pause', act: (e) => e.actions.toggle() },
-  { group: 'Time', keys: [key('.')], label: 'One step on', act: (e) => e.actions.step(1) },
-  { group: 'Time', keys: [key(',')], label: 'One step back', act: (e) => e.actions.step(-1) },
-  { group: 'Time', keys: [key('s')], label: 'Slow motion', act: (e) => e.actions.toggleSlow() },
-  { group: 'Time', keys: [key('0')], label: 'Back to the start', act: (e) => e.actions.seek(0) },
-  { group: 'Tree', keys: [key('d')], label: 'Another tree (dice)', act: (e) => e.actions.rollSeed() },
+const edited = (e: Editor): boolean => Object.keys(e.document.getState().edits).length > 0;
+const level = (e: Editor, towards: number): void =>
+  e.actions.setLevel(Math.min(3, Math.max(0, e.session.getState().level + towards)));
+
+export const COMMANDS: readonly Command[] = [
+  { id: 'new', group: 'file', keys: [], act: (e) => e.actions.newTree() },
+  { id: 'open', group: 'file', keys: [mod('o')], act: (e) => void e.actions.open() },
+  { id: 'save', group: 'file', keys: [mod('s')], act: (e) => void e.actions.save() },
+  { id: 'saveAs', group: 'file', keys: [modShift('s')], act: (e) => void e.actions.saveAs() },
+  { id: 'share', group: 'file', keys: [key('c')], act: (e) => void e.actions.share() },
+  { id: 'embed', group: 'file', keys: [], act: (e) => void e.actions.copyEmbed() },
+  { id: 'export', group: 'file', keys: [mod('e')], act: (e) => e.actions.openDialog('export') },
+
   {
-    group: 'Tree',
-    keys: [key('1'), key('2'), key('3'), key('4')],
-    label: 'Trunk alone, with limbs, with branches, all',
+    id: 'undo',
+    group: 'edit',
+    keys: [mod('z')],
+    act: (e) => e.actions.undo(),
+    enabled: (e) => e.session.getState().canUndo,
   },
   {
-    group: 'Tree',
+    id: 'redo',
+    group: 'edit',
+    keys: [modShift('z'), mod('y')],
+    act: (e) => e.actions.redo(),
+    enabled: (e) => e.session.getState().canRedo,
+  },
+  { id: 'history', group: 'edit', keys: [key('y')], act: (e) => e.actions.openDialog('history') },
+  { id: 'snapshot', group: 'edit', keys: [key('k')], act: (e) => e.actions.takeSnapshot('') },
+  { id: 'palette', group: 'edit', keys: [mod('k')], act: (e) => e.actions.openDialog('palette') },
+  { id: 'search', group: 'edit', keys: [key('/')], act: (e) => void showSearch(e) },
+
+  { id: 'seed', group: 'tree', keys: [key('d')], act: (e) => e.actions.rollSeed() },
+  { id: 'variety', group: 'tree', keys: [key('m')], act: (e) => e.actions.openDialog('variety') },
+  {
+    id: 'peek',
+    group: 'tree',
+    keys: [key('\\')],
+    act: (e) => e.actions.setPeek(!e.session.getState().peek),
+    enabled: (e) => edited(e) || e.session.getState().peek,
+  },
+  { id: 'reset', group: 'tree', keys: [], act: (e) => e.actions.resetAll(), enabled: edited },
+  { id: 'levelUp', group: 'tree', keys: [key('[')], act: (e) => level(e, -1) },
+  { id: 'levelDown', group: 'tree', keys: [key(']')], act: (e) => level(e, 1) },
+  { id: 'levels', group: 'tree', keys: [key('1'), key('2'), key('3'), key('4')] },
+  {
+    id: 'leaves',
+    group: 'tree',
     keys: [key('l')],
-    label: 'Leaves on or off',
     act: (e) => e.actions.setShowLeaves(!e.document.getState().showLeaves),
   },
+
   {
-    group: 'Wind',
+    id: 'blow',
+    group: 'wind',
     keys: [key('b')],
-    label: 'Wind on or off',
     act: (e) => e.actions.setBlowing(!e.document.getState().blowing),
   },
-  { group: 'Wind', keys: [key('g')], label: 'Throw a gust from upwind', act: (e) => e.actions.throwGust() },
+  { id: 'gust', group: 'wind', keys: [key('g')], act: (e) => e.actions.throwGust() },
   {
-    group: 'Wind',
+    id: 'aim',
+    group: 'wind',
     keys: [key('t')],
-    label: 'Aim gusts: each click on the ground throws one',
     act: (e) => e.actions.setThrowing(!e.session.getState().throwing),
   },
   {
-    group: 'Wind',
+    id: 'arrows',
+    group: 'wind',
     keys: [key('a')],
-    label: 'Arrows of the wind over the ground',
     act: (e) => e.actions.setOverlays({ arrows: !e.document.getState().overlays.arrows }),
   },
   {
-    group: 'Wind',
+    id: 'handle',
+    group: 'wind',
     keys: [key('h')],
-    label: 'The handle that turns the wind',
     act: (e) => e.actions.setOverlays({ handle: !e.document.getState().overlays.handle }),
   },
-  { group: 'Wind', keys: [key('delete', 'Del')], label: 'On the ruler: take the gust away' },
-  { group: 'View', keys: [key('escape', 'Esc')], label: 'Leave: aiming, a chosen gust' },
-  { group: 'View', keys: [key('q')], label: 'Shaded', act: (e) => e.actions.setView('shaded') },
-  { group: 'View', keys: [key('w')], label: 'Wireframe', act: (e) => e.actions.setView('wireframe') },
+  { id: 'studio', group: 'wind', keys: [key('u')], act: (e) => void showPanel(e, 'studio') },
+  { id: 'deleteGust', group: 'wind', keys: [key('delete')] },
+
+  { id: 'play', group: 'time', keys: [key(' ')], act: (e) => e.actions.toggle() },
+  { id: 'stepOn', group: 'time', keys: [key('.')], act: (e) => e.actions.step(1) },
+  { id: 'stepBack', group: 'time', keys: [key(',')], act: (e) => e.actions.step(-1) },
+  { id: 'slow', group: 'time', keys: [key('s')], act: (e) => e.actions.toggleSlow() },
+  { id: 'start', group: 'time', keys: [key('0')], act: (e) => e.actions.seek(0) },
+
+  { id: 'leave', group: 'view', keys: [key('escape')] },
+  { id: 'shaded', group: 'view', keys: [key('q')], act: (e) => e.actions.setView('shaded') },
+  { id: 'wireframe', group: 'view', keys: [key('w')], act: (e) => e.actions.setView('wireframe') },
+  { id: 'control', group: 'view', keys: [key('e')], act: (e) => e.actions.setView('control') },
+  { id: 'levelColours', group: 'view', keys: [key('r')], act: (e) => e.actions.setView('levels') },
   {
-    group: 'View',
-    keys: [key('e')],
-    label: 'Curves: control polygons and frames',
-    act: (e) => e.actions.setView('control'),
+    id: 'whole',
+    group: 'view',
+    keys: [key('f')],
+    act: (e) => e.actions.setCamera(null),
+    enabled: (e) => e.document.getState().camera !== null,
   },
-  { group: 'View', keys: [key('r')], label: 'Levels in their colours', act: (e) => e.actions.setView('levels') },
-  { group: 'View', keys: [key('f')], label: 'The whole tree', act: (e) => e.actions.setCamera(null) },
-  { group: 'View', keys: [key('c')], label: 'Copy the link', act: (e) => void e.actions.share() },
-  { group: 'View', keys: [key('?')], label: 'This help', act: (e) => e.actions.setHelp(!e.session.getState().help) },
-  {
-    group: 'View',
-    keys: [key('arrows', '← ↑ → ↓'), key('+'), key('-')],
-    label: 'In the picture: walk around, closer, away',
-  },
-  { group: 'Sliders', keys: [key('arrows', '← →')], label: 'A little less, a little more' },
-  { group: 'Sliders', keys: [key('arrows', 'Shift ← →')], label: 'Ten times as much' },
+  { id: 'themeAuto', group: 'view', keys: [], act: (e) => e.actions.setTheme('auto') },
+  { id: 'themeLight', group: 'view', keys: [], act: (e) => e.actions.setTheme('light') },
+  { id: 'themeDark', group: 'view', keys: [], act: (e) => e.actions.setTheme('dark') },
+  { id: 'walk', group: 'view', keys: [key('arrows', commandWords.slider.walk), key('+'), key('-')] },
+
+  { id: 'help', group: 'help', keys: [key('?')], act: (e) => e.actions.openDialog('help') },
+  { id: 'tour', group: 'help', keys: [], act: (e) => e.actions.openDialog('tour') },
+
+  { id: 'little', group: 'sliders', keys: [key('arrows', commandWords.slider.arrows)] },
+  { id: 'much', group: 'sliders', keys: [key('arrows', commandWords.slider.shifted)] },
 ];
 
-/** Whether `target` uses `pressed` itself: letters in text boxes, Space on buttons, arrows and digits where they mean something. */
-function taken(target: EventTarget | null, pressed: string): boolean {
-  if (!(target instanceof HTMLElement)) return false;
-  if (target.closest('dialog') && pressed !== '?') return true;
-  if (target.isContentEditable || target.matches('textarea, select')) return true;
-  if (target instanceof HTMLInputElement && !['range', 'checkbox', 'radio', 'file'].includes(target.type)) return true;
-  return pressed === ' ' && target.matches('button, summary, input, label, a');
+const byId = new Map(COMMANDS.map((command) => [command.id, command]));
+
+export const command = (id: CommandId): Command => byId.get(id)!;
+
+/** Draws as many levels as a digit says: 4, or the deepest that the tree has, is all of them. */
+export function drawLevels(editor: Editor, digit: number): void {
+  const count = editor.session.getState().tree?.figures.levels ?? 3;
+  editor.actions.setLevels(digit >= Math.min(4, count) ? ALL_LEVELS : digit);
 }
 
-/** Listens to the whole page; returns how to stop. */
-export function listenToKeys(editor: Editor): () => void {
-  const onKey = (event: KeyboardEvent): void => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-    // A dialog and a menu close by themselves; what is left of Escape leaves the modes of the page, wherever the focus is.
-    if (event.key === 'Escape') {
-      const own = event.target instanceof HTMLElement && event.target.closest('dialog[open], :popover-open');
-      if (!own && editor.actions.leave()) event.preventDefault();
-      return;
-    }
-    if (!editor.preferences.shortcuts || taken(event.target, event.key)) return;
-    const level = Number(event.key);
-    if (level >= 1 && level <= 4) {
-      const count = editor.session.getState().tree?.figures.levels ?? 3;
-      editor.actions.setLevels(level >= Math.min(4, count) ? ALL_LEVELS : level);
-      return;
-    }
-    const found = shortcuts.find((s) => s.act && s.keys.some((k) => k.key === event.key.toLowerCase()));
-    if (!found) return;
-    event.preventDefault();
-    found.act!(editor);
-  };
-  window.addEventListener('keydown', onKey);
-  return () => window.removeEventListener('keydown', onKey);
+/** The keys of a command as this machine writes them. */
+export const keysOf = (id: CommandId): string[] => command(id).keys.map((k) => keyText(k, onMac()));
+
+/** `What it does (K)`: a tooltip. */
+export function withKeys(id: CommandId, says: string = commandWords.labels[id]): string {
+  const keys = keysOf(id);
+  return keys.length > 0 ? `${says} (${keys[0]})` : says;
 }

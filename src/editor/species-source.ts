@@ -3,13 +3,14 @@ import type { Species } from '../core/species/species.ts';
 import { FileError } from './file-error.ts';
 import { fetchText, textOf } from './public-file.ts';
 import type { SpeciesEntry } from './session.ts';
+import { messageWords } from './words/messages.ts';
 
 /** Longest species file that is read: a good one has 4 kB. */
 const LONGEST = 1_000_000;
 
 /** The species that ship. */
 export async function loadIndex(): Promise<readonly SpeciesEntry[]> {
-  return JSON.parse(await fetchText('species/index.json', 'The list of species')) as SpeciesEntry[];
+  return JSON.parse(await fetchText('species/index.json', messageWords.lists.species)) as SpeciesEntry[];
 }
 
 /** Reads the text of a species file; throws a FileError under `title` that says where it is wrong and what is allowed. */
@@ -20,15 +21,22 @@ export function readSpecies(text: string, title: string): Species {
 }
 
 const shipped = new Map<string, Promise<Species>>();
+const loaded = new Map<string, Species>();
+
+/** A species that ships, by id, where it has been loaded. */
+export const loadedSpecies = (id: string): Species | null => loaded.get(id) ?? null;
 
 /** A species that ships; loaded once. */
 export function loadSpecies(entry: SpeciesEntry): Promise<Species> {
   let loading = shipped.get(entry.id);
   if (!loading) {
     loading = fetchText(`species/${entry.file}`, entry.name).then((text) =>
-      readSpecies(text, `${entry.name} cannot be grown`),
+      readSpecies(text, messageWords.cannotGrow(entry.name)),
     );
-    loading.catch(() => shipped.delete(entry.id));
+    loading.then(
+      (species) => loaded.set(entry.id, species),
+      () => shipped.delete(entry.id),
+    );
     shipped.set(entry.id, loading);
   }
   return loading;
@@ -37,6 +45,6 @@ export function loadSpecies(entry: SpeciesEntry): Promise<Species> {
 /** The text of a file of the reader's own, checked: what comes back is a species that can be grown. */
 export async function readOwnFile(file: File): Promise<string> {
   const text = await textOf(file, LONGEST);
-  readSpecies(text, `${file.name} was not opened`);
+  readSpecies(text, messageWords.notOpened(file.name));
   return text;
 }

@@ -5,6 +5,7 @@ import { FileError } from './file-error.ts';
 import { FIRST_WIND } from './first-document.ts';
 import { fetchText, publicUrl } from './public-file.ts';
 import type { ShippedWind } from './session.ts';
+import { messageWords } from './words/messages.ts';
 
 /** An entry of `winds/index.json`. */
 interface WindEntry {
@@ -17,7 +18,7 @@ interface WindEntry {
 
 async function loadWind({ id, name, file, description, thumbnail }: WindEntry): Promise<ShippedWind> {
   const parsed = await withRecord(await fetchText(`winds/${file}`, name), (csv) => fetchText(`winds/${csv}`, name));
-  if (!parsed.wind) throw FileError.of(`${name} cannot blow`, parsed.faults);
+  if (!parsed.wind) throw FileError.of(messageWords.cannotBlow(name), parsed.faults);
   return {
     id,
     name,
@@ -30,7 +31,7 @@ async function loadWind({ id, name, file, description, thumbnail }: WindEntry): 
 /** The winds that ship, and what kept others from being among them; there is always the first one. */
 export async function loadWinds(): Promise<{ winds: readonly ShippedWind[]; broken: readonly unknown[] }> {
   const broken: unknown[] = [];
-  const found = await fetchText('winds/index.json', 'The list of winds')
+  const found = await fetchText('winds/index.json', messageWords.lists.winds)
     .then((text) => Promise.allSettled((JSON.parse(text) as WindEntry[]).map(loadWind)))
     .catch((error: unknown) => {
       broken.push(error);

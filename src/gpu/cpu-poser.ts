@@ -19,6 +19,7 @@ export class CpuPoser implements Poser {
   readonly #textures: TreeTextures;
   readonly #pose: Float32Array;
   readonly #wind = createWindState();
+  #near: boolean;
   #springs: CpuSprings | null = null;
   #run: StateRun | null = null;
   #state: Float32Array | null = null;
@@ -27,8 +28,9 @@ export class CpuPoser implements Poser {
   #time = Number.NaN;
   #revision = Number.NaN;
 
-  /** `textures` must be made for the CPU (`gpuPose` false). */
-  constructor(textures: TreeTextures) {
+  /** `textures` must be made for the CPU (`gpuPose` false); `near`: springs begin with the wind of the first update's time, until `settle`. */
+  constructor(textures: TreeTextures, near = false) {
+    this.#near = near;
     if (!textures.cpuPose) throw new Error('CpuPoser needs textures that the CPU writes.');
     this.#textures = textures;
     this.#pose = textures.cpuPose;
@@ -36,6 +38,13 @@ export class CpuPoser implements Poser {
 
   get catchingUp(): number | null {
     return this.#run?.catchingUp ?? null;
+  }
+
+  settle(): void {
+    if (!this.#near) return;
+    this.#near = false;
+    this.#run?.settle();
+    this.#time = Number.NaN;
   }
 
   update(_renderer: WebGLRenderer | null, time: number, source: WindSource): void {
@@ -96,7 +105,12 @@ export class CpuPoser implements Poser {
     const springs = this.#springs;
     springs.use(source);
     const { first, last, fraction } = stepsAt(time);
-    this.#run ??= new StateRun(springs, checkpointsFor(48 * tree.pieceCount), sliceFor(tree.pieceCount, true));
+    this.#run ??= new StateRun(
+      springs,
+      checkpointsFor(48 * tree.pieceCount),
+      sliceFor(tree.pieceCount, true),
+      this.#near,
+    );
     const run = this.#run;
     if (!run.reach(first, last, source)) return null;
     const before = first < run.latest && run.has(first) ? springs.previous : springs.latest;

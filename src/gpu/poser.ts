@@ -15,6 +15,8 @@ export interface Poser {
   readonly catchingUp: number | null;
   /** Bytes on the GPU besides the tree's textures. */
   readonly bytes: number;
+  /** What began with the wind of its first time, instead of at time 0, is computed anew by the next update. */
+  settle(): void;
   /** Poses the tree as of `time` seconds, or makes some of the steps to it; leaves every setting of `renderer` as it was. */
   update(renderer: WebGLRenderer, time: number, source: WindSource): void;
   /** The pose as last computed, laid out as `PackedTree.restPose.data`; slow: for checks and exports. */

@@ -46,14 +46,21 @@ export class StateRun {
   #epoch = Number.NaN;
   #past = Number.NaN;
   #revision = Number.NaN;
+  /** The first state may begin where it is asked for; and one has begun so. */
+  #near: boolean;
+  #nearby = false;
   /** The first step that was asked for last: what is on screen. */
   #shown = 0;
   /** From where to where a run in slices goes; NaN where none is under way. */
   #from = Number.NaN;
   #to = Number.NaN;
 
-  /** `capacity`: checkpoints at most; `slice`: steps a call at most, beyond the few that a draw needs. */
-  constructor(backend: StateBackend, capacity: number, slice: number) {
+  /**
+   * `capacity`: checkpoints at most; `slice`: steps a call at most, beyond the few that a draw needs; `near`: the first state begins
+   * where it is asked for, as after an edit while playing, until `settle`.
+   */
+  constructor(backend: StateBackend, capacity: number, slice: number, near = false) {
+    this.#near = near;
     this.#backend = backend;
     this.#checkpoints = new Checkpoints(capacity);
     this.#slice = slice;
@@ -87,6 +94,12 @@ export class StateRun {
     this.#pair = false;
     this.#epoch = Number.NaN;
     this.#from = Number.NaN;
+  }
+
+  /** What began near is run again from the start, by the next call. */
+  settle(): void {
+    this.#near = false;
+    if (this.#nearby) this.forget();
   }
 
   /** The model is not in use: when it is again, by an edit while playing, it starts at rest in the wind of the moment. */
@@ -168,9 +181,11 @@ export class StateRun {
         return;
       }
     } else if (ahead >= (visits ? -FOLLOWS : -1) && ahead <= FOLLOWS) return;
-    this.#pure = true;
     this.#from = Number.NaN;
-    this.#begin(startOf(first));
+    this.#nearby = this.#near;
+    this.#pure = !this.#near;
+    this.#begin(this.#near ? first : startOf(first));
+    this.#near = false;
     // The wind at the start may have ended a fade, which is an epoch of its own and no reason to start again.
     this.#note(source);
   }

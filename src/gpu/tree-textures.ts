@@ -25,7 +25,7 @@ export interface TreeUniforms extends PoseUniforms {
 
 /** Every texture of one tree on the GPU; three uploads each at its first use, and again after a lost context. */
 export class TreeTextures {
-  readonly tree: PackedTree;
+  #tree: PackedTree;
   readonly pieces: DataArrayTexture;
   readonly branches: DataArrayTexture;
   readonly leaves: DataArrayTexture;
@@ -36,13 +36,34 @@ export class TreeTextures {
 
   /** `gpuPose`: four float targets can be drawn into (`Capabilities.floatTargets`); else the CPU poses the tree. */
   constructor(tree: PackedTree, gpuPose: boolean) {
-    this.tree = tree;
+    this.#tree = tree;
     this.pieces = arrayTexture(tree.pieces, 'pieces');
     this.branches = arrayTexture(tree.branches, 'branches');
     this.leaves = arrayTexture(tree.leaves, 'leaves');
     this.cpuPose = gpuPose ? null : tree.restPose.data.slice();
     this.pose = this.cpuPose ? writtenSets(tree, this.cpuPose) : targetSets(tree);
     this.uniforms = { ...this.pose.uniforms, branches: { value: this.branches }, leaves: { value: this.leaves } };
+  }
+
+  get tree(): PackedTree {
+    return this.#tree;
+  }
+
+  /** Holds another tree from now on, in the same textures; false where that is of another size. What has posed the former poses it no more. */
+  retake(tree: PackedTree): boolean {
+    const former = this.#tree;
+    const parts = ['pieces', 'branches', 'leaves', 'restPose'] as const;
+    const alike = parts.every((part) =>
+      (['width', 'height', 'layers'] as const).every((side) => tree[part][side] === former[part][side]),
+    );
+    if (!alike) return false;
+    this.#tree = tree;
+    for (const part of ['pieces', 'branches', 'leaves'] as const) {
+      this[part].image.data = tree[part].data as Float32Array<ArrayBuffer>;
+      this[part].needsUpdate = true;
+    }
+    this.cpuPose?.set(tree.restPose.data);
+    return true;
   }
 
   /** Bytes that the tree takes on the GPU. */

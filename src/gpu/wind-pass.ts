@@ -53,6 +53,7 @@ export class WindPass implements Poser {
   readonly #state = new PassState();
   readonly #depths: number;
   readonly #reader: PoseReader;
+  readonly #near: boolean;
   #springs: Springs | null = null;
   #seeded = false;
   /** What the pose was computed for; NaN where nothing was. */
@@ -66,13 +67,18 @@ export class WindPass implements Poser {
   #stepNumber = Number.NaN;
   #canvas: WebGLRenderer['domElement'] | null = null;
   #software = false;
+  #settled = false;
   readonly #forget = () => {
     this.#seeded = false;
     this.#springs?.run.forget();
   };
 
-  /** `textures` must have targets, that is be made for a GPU that can draw into them. */
-  constructor(textures: TreeTextures) {
+  /**
+   * `textures` must have targets, that is be made for a GPU that can draw into them; `near`: springs begin with the wind of the first
+   * update's time, until `settle`.
+   */
+  constructor(textures: TreeTextures, near = false) {
+    this.#near = near;
     if (!textures.pose.targets) throw new Error('WindPass needs float targets; CpuPoser does without.');
     this.#textures = textures;
     this.#targets = textures.pose.targets;
@@ -94,6 +100,13 @@ export class WindPass implements Poser {
 
   get bytes(): number {
     return this.#bend.bytes + (this.#springs?.pass.bytes ?? 0);
+  }
+
+  settle(): void {
+    if (!this.#near || this.#settled) return;
+    this.#settled = true;
+    this.#springs?.run.settle();
+    this.#time = Number.NaN;
   }
 
   /** Poses the tree as of `time` seconds, or comes nearer to it. Changes no setting of `renderer`. */
@@ -172,7 +185,7 @@ export class WindPass implements Poser {
       const pass = new SpringPass(this.#bend, this.#draw, this.#depths, pieces.width, pieces.height);
       const slice = sliceFor(pieceCount, this.#software);
       const kept = checkpointsFor(bytesOfState(pieces.width, pieces.height));
-      this.#springs = { pass, run: new StateRun(pass, kept, slice), slice };
+      this.#springs = { pass, run: new StateRun(pass, kept, slice, this.#near && !this.#settled), slice };
     }
     this.#springs.pass.use({ renderer, materials, source });
     return this.#springs;

@@ -1,6 +1,6 @@
 import type { DataTexture } from 'three';
+import { type BarkImage, barkImage } from '../core/look/bark-image.ts';
 import type { BarkLook } from '../core/species/species.ts';
-import { type BarkImage, barkImage } from './bark-image.ts';
 import { tileTexture } from './tile-texture.ts';
 
 /** Texels a side: two millimetres of bark each. */

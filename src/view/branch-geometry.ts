@@ -1,6 +1,6 @@
 import { type Box3, BufferAttribute, InstancedBufferGeometry, Sphere } from 'three';
+import { type LeafGrain, leafMesh } from '../core/look/leaf-mesh.ts';
 import { branchGrid, type GridSpec } from './grid.ts';
-import { type LeafGrain, leafMesh } from './leaf-mesh.ts';
 
 /** Copies of a grid or a leaf in one instance: an instance costs a software rasteriser as much as thirty vertices. */
 export const BUNDLE = 64;
@@ -18,6 +18,15 @@ function bounded(geometry: InstancedBufferGeometry, box: Box3): InstancedBufferG
   return geometry;
 }
 
+/** Draws other pieces or leaves with the same copies: `count` of them within `box`. */
+export function recount(geometry: InstancedBufferGeometry, count: number, bundle: number, box: Box3): void {
+  const { userData } = geometry;
+  userData.triangles = (userData.triangles / userData.count) * count;
+  userData.count = count;
+  geometry.instanceCount = instances(count, bundle);
+  bounded(geometry, box);
+}
+
 /** A grid as instanced geometry over `count` pieces; `box` bounds them in tree space. */
 export function branchGeometry(spec: GridSpec, count: number, box: Box3): InstancedBufferGeometry {
   const grid = branchGrid(spec);
@@ -26,7 +35,7 @@ export function branchGeometry(spec: GridSpec, count: number, box: Box3): Instan
   geometry.setAttribute('normal', new BufferAttribute(grid.shape, 3));
   geometry.setIndex(new BufferAttribute(grid.index, 1));
   geometry.instanceCount = instances(count, spec.bundle);
-  geometry.userData.triangles = grid.trianglesPerCopy * count;
+  Object.assign(geometry.userData, { count, triangles: grid.trianglesPerCopy * count });
   return bounded(geometry, box);
 }
 
@@ -48,6 +57,6 @@ export function leafGeometry(spec: LeafGeometrySpec, count: number, box: Box3): 
   geometry.setAttribute('blade', new BufferAttribute(mesh.blade, 4));
   geometry.setIndex(new BufferAttribute(mesh.index, 1));
   geometry.instanceCount = instances(count, bundle);
-  geometry.userData.triangles = mesh.trianglesPerCopy * count;
+  Object.assign(geometry.userData, { count, triangles: mesh.trianglesPerCopy * count });
   return bounded(geometry, box);
 }

@@ -1,4 +1,6 @@
-import type { LeafGrain } from './leaf-mesh.ts';
+import type { LeafGrain } from '../core/look/leaf-mesh.ts';
+
+export { leafGrowth } from '../core/look/leaf-growth.ts';
 
 /** How finely a tree is drawn: by size on screen, or always finer or coarser than that. */
 export type Detail = 'auto' | 'high' | 'low';
@@ -86,14 +88,4 @@ export function leavesDrawn(count: number, length: number, budget: number, detai
   const fraction = ((length * FACTOR[detail]) / LEAST_BLADE) ** 2;
   const step = fraction >= 1 ? 1 : 2 ** (Math.floor(8 * Math.log2(fraction)) / 8);
   return Math.max(1, Math.min(budget, Math.ceil(count * step)));
-}
-
-/**
- * Factors on a leaf's width and length where only `fraction` of the leaves is drawn, so that they cover as much: narrow
- * leaves grow in width first, since a willow with broad leaves is still a willow and one with long leaves is not.
- */
-export function leafGrowth(fraction: number, widthOverLength: number): [width: number, length: number] {
-  const narrow = Math.min(1, Math.max(0, 1 - widthOverLength));
-  const share = 0.5 + 0.25 * narrow;
-  return [fraction ** -share, fraction ** -(1 - share)];
 }

@@ -1,8 +1,10 @@
+import channel from '../../shaders/debug/channel.glsl';
 import leafFragment from '../../shaders/leaf/fragment.glsl';
 import leafLook from '../../shaders/leaf/look-vertex.glsl';
 import leafThrough from '../../shaders/leaf/through.glsl';
 import leafVertex from '../../shaders/leaf/vertex.glsl';
 import { layoutGlsl } from '../core/pack/layout-glsl.ts';
+import { CHANNEL_DIFFUSE, CHANNEL_FRAGMENT } from './channel-shader.ts';
 import type { Injection, Patch } from './inject.ts';
 
 /** Where the leaf takes over from three's own vertex; every material has these. */
@@ -23,7 +25,7 @@ const shape: readonly Patch[] = [
 export const LEAF_STANDARD: Injection = {
   vertex: [
     ...shape,
-    { anchor: '#include <uv_pars_vertex>', before: leafLook },
+    { anchor: '#include <uv_pars_vertex>', before: `${leafLook}\n${channel}` },
     {
       anchor: '#include <defaultnormal_vertex>',
       after: `transformedNormal = leafShadingNormal(
@@ -32,7 +34,12 @@ export const LEAF_STANDARD: Injection = {
   normalize(normalMatrix * crownNormal(here.position)),
   projectionMatrix[2][3] == 0.0
 );
-vLeaf = vec4(here.own, crownSky(here.position), blade.xy);`,
+vLeaf = vec4(here.own, crownSky(here.position), blade.xy);
+#ifdef CHANNEL_VIEW
+LeafTexel channelLeaf = leafTexel(texelFetch(leaves, ivec3(texelOf(gl_InstanceID * leafRange.y + int(blade.z), leafLog2Width), LEAF_LEAF), 0));
+vec3 channelFoot = sectionAt(readPose(channelLeaf.piece, channelLeaf.odd), channelLeaf.v).centre;
+vChannel = channelOfLeaf(channelLeaf.piece, channelLeaf.v, channelLeaf.phase, channelFoot);
+#endif`,
     },
     {
       // A leaf that shows the eye its unlit side must not shade itself: look its shadow up a little nearer to the sun.
@@ -44,9 +51,12 @@ vLeaf = vec4(here.own, crownSky(here.position), blade.xy);`,
     },
   ],
   fragment: [
-    { anchor: '#include <common>', after: leafFragment },
+    { anchor: '#include <common>', after: `${leafFragment}\n${CHANNEL_FRAGMENT}` },
     { anchor: '#include <lights_physical_pars_fragment>', after: leafThrough },
-    { anchor: '#include <map_fragment>', after: 'diffuseColor.rgb *= leafDiffuse(gl_FrontFacing);' },
+    {
+      anchor: '#include <map_fragment>',
+      after: `diffuseColor.rgb *= leafDiffuse(gl_FrontFacing);\n${CHANNEL_DIFFUSE}`,
+    },
     // The vertex has turned the normal to the eye already; three turns it by the side of the triangle.
     {
       anchor: '#include <normal_fragment_begin>',

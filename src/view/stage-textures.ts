@@ -1,6 +1,6 @@
 import type { DataTexture } from 'three';
+import { gradientField, gradientNoise } from '../core/look/tiling-noise.ts';
 import { tileTexture } from './tile-texture.ts';
-import { gradientField, gradientNoise } from './tiling-noise.ts';
 
 /** One octave of a tiling pattern: cells across and along, weight. */
 type Octave = readonly [number, number, number];

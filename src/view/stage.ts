@@ -36,6 +36,8 @@ export interface StageOptions {
   antialias?: boolean;
   /** Light from the whole sky, also in reflections, in place of the hemisphere light: finer, and dearer a pixel. Default false. */
   environment?: boolean;
+  /** The picture has an alpha channel: what nothing is drawn on is transparent. Default false. */
+  alpha?: boolean;
   /** Keep the drawing after it was shown, so that it can be copied. Default false. */
   preserveDrawingBuffer?: boolean;
 }
@@ -52,10 +54,10 @@ export interface StagePane {
 const NO_INSETS: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
 
 /** Vertical field of view in degrees, the feel of a 50 mm lens. */
-const FOV = 30;
+export const FOV = 30;
 
 /** A quarter to the side of the sun, so that crowns have a lit and a shaded side. */
-const AZIMUTH = 0.2;
+export const AZIMUTH = 0.2;
 
 /** How far the camera goes away, in reaches of the tree. */
 const FARTHEST = 9;
@@ -88,11 +90,18 @@ export class Stage {
   /** Draws on `canvas`. Throws where the browser gives no WebGL2 context. */
   constructor(
     canvas: HTMLCanvasElement,
-    { shadows = 1024, antialias = true, environment = false, preserveDrawingBuffer = false }: StageOptions = {},
+    {
+      shadows = 1024,
+      antialias = true,
+      environment = false,
+      alpha = false,
+      preserveDrawingBuffer = false,
+    }: StageOptions = {},
   ) {
     this.renderer = new WebGLRenderer({
       canvas,
       antialias,
+      alpha,
       preserveDrawingBuffer,
       powerPreference: 'high-performance',
     });

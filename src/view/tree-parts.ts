@@ -1,23 +1,27 @@
 import {
   type Box3,
   type Camera,
+  type DataArrayTexture,
   type InstancedBufferGeometry,
   type LineSegments,
   Mesh,
   Object3D,
   type ShaderMaterial,
+  type Vector3,
   type Vector4,
 } from 'three';
+import { GRAINS_PER_TILE } from '../core/look/bark-image.ts';
+import { type LeafGrain, leafTriangles } from '../core/look/leaf-mesh.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
-import { GRAINS_PER_TILE } from './bark-image.ts';
 import { barkTexture } from './bark-texture.ts';
-import { branchGeometry, bundleFor, leafGeometry } from './branch-geometry.ts';
+import { branchGeometry, bundleFor, leafGeometry, recount } from './branch-geometry.ts';
+import { CHANNELS, channelUniforms } from './channel-texels.ts';
 import { controlLines, setControlLines } from './control-lines.ts';
 import { type Detail, gridDetail, leafGrain, leafGrowth, leavesDrawn } from './detail.ts';
 import { sectorsForLobes } from './grid.ts';
-import { type LeafGrain, leafTriangles } from './leaf-mesh.ts';
 import { levelColour } from './level-colours.ts';
+import type { ChannelView } from './picture/picture.ts';
 import { pixelsPerMetre } from './pixel-size.ts';
 import { type LevelExtent, levelExtents, windBox } from './tree-extent.ts';
 import { branchMaterials, disposeMaterials, leafMaterials, type MaterialSet } from './tree-materials.ts';
@@ -79,6 +83,8 @@ export class TreeParts extends Object3D {
   readonly bark = barkUniforms();
   readonly leafLook: LeafUniforms = leafUniforms();
   readonly shown: Shown;
+  readonly channelLook = channelUniforms();
+  #channel: ChannelView | null = null;
   /** Height of the picture in pixels, for the choice of detail. */
   pictureHeight = 1080;
   #levels: Level[] = [];
@@ -157,9 +163,29 @@ export class TreeParts extends Object3D {
     for (const level of this.#levels) this.#dropMaterials(level);
   }
 
+  /** Their programs are others: what is drawn next makes them anew. */
+  #dropAllMaterials(): void {
+    for (const level of this.#levels) this.#dropMaterials(level);
+    for (const set of Object.values(this.#leafMaterials)) disposeMaterials(set);
+    this.#leafMaterials = {};
+    this.#leafDrawn = 0;
+  }
+
   setShadows(cast: boolean, receive: boolean): void {
     this.#shadows = { cast, receive };
     for (const mesh of this.#meshes()) Object.assign(mesh, { castShadow: cast, receiveShadow: receive });
+  }
+
+  /** Colours the tree by a channel, of which `texels` (its own from now on) tells; null: as bark and leaves are. */
+  setChannel(channel: ChannelView | null, texels: DataArrayTexture | null): void {
+    const { channelTexels, channelKind } = this.channelLook;
+    channelTexels.value?.dispose();
+    channelTexels.value = texels;
+    channelKind.value = channel ? CHANNELS.indexOf(channel) : 0;
+    const switched = (channel === null) !== (this.#channel === null);
+    this.#channel = channel;
+    if (switched) this.#dropAllMaterials();
+    this.#applyMode();
   }
 
   /** Takes `shown.mode` over into the materials. */
@@ -176,6 +202,8 @@ export class TreeParts extends Object3D {
     this.#lines?.material.dispose();
     this.bark.barkMap.value?.dispose();
     this.bark.barkMap.value = null;
+    this.channelLook.channelTexels.value?.dispose();
+    this.channelLook.channelTexels.value = null;
     this.#leafMesh = null;
     this.#leafMaterials = {};
     this.#lines = null;
@@ -240,6 +268,9 @@ export class TreeParts extends Object3D {
     const { shared, leafLook } = this;
     shared.crownCentre.value.fromArray(tree.crown, 0);
     shared.crownRadii.value.fromArray(tree.crown, 3);
+    const [low, size] = this.channelLook.channelBox.value as [Vector3, Vector3];
+    low.fromArray(tree.bounds, 0);
+    size.fromArray(tree.bounds, 3).sub(low);
     const map = this.bark.barkMap;
     if (map.value?.name !== `bark ${bark.kind}`) {
       map.value?.dispose();
@@ -271,8 +302,14 @@ export class TreeParts extends Object3D {
     if (level.drawn === drawn) return;
     // Below 1 the taper leaves the tip open.
     const spec = { sectors, bands: grid.bands, cap: a.x < 1, bundle: bundleFor(count) };
-    mesh.geometry.dispose();
-    mesh.geometry = branchGeometry(spec, count, this.#box as Box3);
+    const made = String(Object.values(spec));
+    if (made === mesh.geometry.userData.made) {
+      recount(mesh.geometry, count, spec.bundle, this.#box as Box3);
+    } else {
+      mesh.geometry.dispose();
+      mesh.geometry = branchGeometry(spec, count, this.#box as Box3);
+      mesh.geometry.userData.made = made;
+    }
     uniforms.branchRange.value.set(level.start, count, spec.bundle);
     this.#dress(mesh, this.#branchSet(level, index, spec.sectors === 1 ? 'ribbon' : 'tube'));
     level.drawn = drawn;
@@ -283,7 +320,12 @@ export class TreeParts extends Object3D {
     if (made) return made;
     const species = this.#species as Species;
     const defines = [...definesOf(index, species, this.#paper), ...(form === 'ribbon' ? ['RIBBON'] : [])];
-    const set = branchMaterials(defines, { ...this.shared, ...this.bark, ...level.uniforms });
+    const set = branchMaterials([...defines, ...this.#viewDefines()], {
+      ...this.shared,
+      ...this.bark,
+      ...this.channelLook,
+      ...level.uniforms,
+    });
     set.standard.roughness = species.bark.roughness;
     set.standard.wireframe = this.shown.mode === 'wireframe';
     level[form] = set;
@@ -304,8 +346,14 @@ export class TreeParts extends Object3D {
     if (this.#leafDrawn === count && this.#leafGrain === grain) return;
     if (!this.#leafMesh) this.#leafMesh = this.#newMesh('leaves');
     const mesh = this.#leafMesh;
-    mesh.geometry.dispose();
-    mesh.geometry = leafGeometry({ shape, width, petiole, grain }, count, this.#box as Box3);
+    const spec = { shape, width, petiole, grain };
+    const made = String([...Object.values(spec), bundleFor(count)]);
+    if (made === mesh.geometry.userData.made) recount(mesh.geometry, count, bundleFor(count), this.#box as Box3);
+    else {
+      mesh.geometry.dispose();
+      mesh.geometry = leafGeometry(spec, count, this.#box as Box3);
+      mesh.geometry.userData.made = made;
+    }
     leafLook.leafRange.value.set(count, bundleFor(count));
     leafLook.leafSize.value.set(growX * length, growY * length);
     this.#dress(mesh, this.#leafSet(grain === 'near' ? 'near' : 'far', foliage.roughness));
@@ -316,12 +364,17 @@ export class TreeParts extends Object3D {
   #leafSet(kind: 'near' | 'far', roughness: number): MaterialSet {
     let set = this.#leafMaterials[kind];
     if (!set) {
-      set = leafMaterials(kind === 'near' ? ['LEAF_VEINS'] : [], { ...this.shared, ...this.leafLook });
+      const defines = [...(kind === 'near' ? ['LEAF_VEINS'] : []), ...this.#viewDefines()];
+      set = leafMaterials(defines, { ...this.shared, ...this.channelLook, ...this.leafLook });
       set.standard.roughness = roughness;
       set.standard.wireframe = this.shown.mode === 'wireframe';
       this.#leafMaterials[kind] = set;
     }
     return set;
+  }
+
+  #viewDefines(): string[] {
+    return this.#channel ? ['CHANNEL_VIEW'] : [];
   }
 
   #dress(mesh: TreeMesh, set: MaterialSet): void {
@@ -350,7 +403,8 @@ export class TreeParts extends Object3D {
     this.#levels.forEach(({ tube, ribbon, uniforms }, i) => {
       for (const set of [tube, ribbon]) if (set) set.standard.wireframe = mode === 'wireframe';
       const tint = colourOf(i);
-      uniforms.levelTint.value.set(tint[0], tint[1], tint[2], mode === 'levels' ? 1 : 0);
+      // A channel stands in place of the tint; its surface is as plain.
+      uniforms.levelTint.value.set(tint[0], tint[1], tint[2], mode === 'levels' || this.#channel ? 1 : 0);
     });
     for (const set of Object.values(this.#leafMaterials)) set.standard.wireframe = mode === 'wireframe';
   }

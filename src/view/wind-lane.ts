@@ -34,14 +34,28 @@ export class WindLane {
     return this.#poser;
   }
 
-  /** Poses `tree` as of `time` seconds; the same tree until `drop`. */
-  update(renderer: WebGLRenderer, tree: PackedTree, time: number): TreeTextures {
+  /** Springs that began near run again from time 0, from the next `update` on. */
+  settle(): void {
+    this.#poser?.settle();
+  }
+
+  /** Another tree comes with the next `update`: it takes over what is of its size. */
+  leave(): void {
+    this.#poser?.dispose();
+    this.#poser = null;
+  }
+
+  /** Poses `tree` as of `time` seconds; the same tree until `leave` or `drop`. `near`: its springs begin with the wind of that time, until `settle`. */
+  update(renderer: WebGLRenderer, tree: PackedTree, time: number, near = false): TreeTextures {
     let textures = this.#textures;
     if (!textures || !this.#poser) {
-      textures = new TreeTextures(tree, capabilitiesOf(renderer).floatTargets);
-      this.#textures = textures;
+      if (!textures?.retake(tree)) {
+        textures?.dispose();
+        textures = new TreeTextures(tree, capabilitiesOf(renderer).floatTargets);
+        this.#textures = textures;
+      }
       this.felt.reach = reachOf(tree);
-      this.#poser = textures.cpuPose ? new CpuPoser(textures) : new WindPass(textures);
+      this.#poser = textures.cpuPose ? new CpuPoser(textures, near) : new WindPass(textures, near);
     }
     this.#poser.update(renderer, time, this.felt);
     this.felt.fill(time, this.#state);
@@ -52,9 +66,8 @@ export class WindLane {
 
   /** Frees what it has on the GPU. */
   drop(): void {
-    this.#poser?.dispose();
+    this.leave();
     this.#textures?.dispose();
-    this.#poser = null;
     this.#textures = null;
   }
 }

@@ -1,11 +1,14 @@
 import { type Intersection, Matrix4, Object3D, Ray, type Raycaster, Vector2, type WebGLRenderer } from 'three';
 import type { PackedTree } from '../core/pack/packed.ts';
+import type { StemTable } from '../core/pack/stem-table.ts';
 import type { Species } from '../core/species/species.ts';
 import type { Wind } from '../core/wind/wind.ts';
 import type { ReadBack } from '../gpu/poser.ts';
 import type { WindSource } from '../gpu/wind-source.ts';
+import { channelTexels } from './channel-texels.ts';
 import { type Detail, LEAF_BUDGET } from './detail.ts';
 import { pickBranch, pickCrown } from './pick.ts';
+import type { ChannelView } from './picture/picture.ts';
 import { windBox } from './tree-extent.ts';
 import { type Mode, TreeParts } from './tree-parts.ts';
 import type { SharedUniforms } from './uniforms.ts';
@@ -32,6 +35,11 @@ export type Which = 'A' | 'B';
  */
 export class WindTree extends Object3D {
   readonly isWindTree = true;
+  /**
+   * Springs of a tree that is set begin with the wind of the moment, so that one tree follows another without a run from time 0; `settle`
+   * makes up for it. Default false: what is seen is a function of the time alone.
+   */
+  startsNear = false;
   readonly #parts: TreeParts;
   readonly #a = new WindLane();
   #b: WindLane | null = null;
@@ -52,7 +60,12 @@ export class WindTree extends Object3D {
 
   /** Takes a tree; the old one goes. What is drawn changes with the next `update`. */
   setTree(packed: PackedTree, species: Species): void {
-    this.#dropTextures();
+    // In other colours the same tree moves on as it did.
+    if (packed !== this.#tree) {
+      this.#parts.visible = false;
+      this.#a.leave();
+      this.#b?.leave();
+    }
     this.#tree = packed;
     this.#species = species;
     this.#parts.setTree(packed, species);
@@ -116,12 +129,18 @@ export class WindTree extends Object3D {
     this.updateWorldMatrix(true, false);
     for (const lane of this.#b ? [this.#a, this.#b] : [this.#a]) {
       lane.felt.moveTo(this.matrixWorld);
-      lane.update(renderer, this.#tree, time);
+      lane.update(renderer, this.#tree, time, this.startsNear);
     }
     this.#prepare(this.#tree);
     this.show('A');
     this.#parts.pictureHeight = renderer.getDrawingBufferSize(this.#size).y;
     this.#parts.visible = true;
+  }
+
+  /** What `startsNear` has begun is run from time 0 again, by the next updates. */
+  settle(): void {
+    this.#a.settle();
+    this.#b?.settle();
   }
 
   /** Levels below this one are drawn; all by default. */
@@ -151,6 +170,14 @@ export class WindTree extends Object3D {
   set mode(mode: Mode) {
     this.#parts.shown.mode = mode;
     this.#parts.applyMode();
+  }
+
+  /** Colours the tree by what engines get of its wind, `stems` being its own, until another tree is set; null: as `mode` says. */
+  showChannel(channel: ChannelView | null, stems: StemTable): void {
+    const tree = this.#tree;
+    const species = this.#species;
+    if (!tree || !species) return;
+    this.#parts.setChannel(channel, channel && channelTexels(tree, stems, species, channel));
   }
 
   get detail(): Detail {

@@ -214,9 +214,13 @@ export class GrowClient {
 
 let shared: GrowClient | undefined;
 
+/** A client with a worker of its own, for trees beside the page's. */
+export const newGrowClient = (): GrowClient =>
+  new GrowClient(() => new Worker(new URL('./grow.worker.ts', import.meta.url), { type: 'module' }));
+
 /** The page's own client: one worker, made when it is first used. */
 export function growClient(): GrowClient {
-  shared ??= new GrowClient(() => new Worker(new URL('./grow.worker.ts', import.meta.url), { type: 'module' }));
+  shared ??= newGrowClient();
   return shared;
 }
 

@@ -2,7 +2,7 @@ import type { GrownPacked, GrowPackedOptions, GrowStage } from '../core/pack/gro
 import type { Species } from '../core/species/species.ts';
 
 /** Changes with the messages: page and worker come from one build, but a cache may hold an older worker. */
-export const PROTOCOL_VERSION = 1;
+export const PROTOCOL_VERSION = 2;
 
 /** What of a species is grown; `grow` says what each means. */
 export type GrowSettings = Pick<GrowPackedOptions, 'levels' | 'leaves' | 'quality' | 'budget'>;
@@ -16,7 +16,7 @@ export interface GrowRequest {
 }
 
 /** What it gets: the arrays for the GPU, figures, and how long each stage took. Buffers are handed over, not copied. */
-export type GrownTree = Pick<GrownPacked, 'packed' | 'stats' | 'milliseconds'>;
+export type GrownTree = Pick<GrownPacked, 'packed' | 'stats' | 'stems' | 'milliseconds'>;
 
 /** How far it is: the stage, and the part of that stage that is done, 0..1. */
 export interface GrowProgress {

@@ -1,6 +1,7 @@
 import { transfer } from 'comlink';
 import { growPacked } from '../core/pack/grow-packed.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
+import { stemBuffers } from '../core/pack/stem-table.ts';
 import { type GrowProgress, type GrowRequest, type GrowService, PROTOCOL_VERSION } from './protocol.ts';
 
 /** Least part of a stage between two messages of progress: a message costs more than a stem. */
@@ -19,8 +20,8 @@ export const growService: GrowService = {
       progress(last);
     };
     const now = (): number => performance.now();
-    const { packed, stats, milliseconds } = growPacked(species, seed, { ...settings, now, onProgress });
-    return transfer({ packed, stats, milliseconds }, buffersOf(packed));
+    const { packed, stats, stems, milliseconds } = growPacked(species, seed, { ...settings, now, onProgress });
+    return transfer({ packed, stats, stems, milliseconds }, [...buffersOf(packed), ...stemBuffers(stems)]);
   },
 };
 

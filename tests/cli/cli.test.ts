@@ -14,10 +14,10 @@ beforeAll(() => {
 });
 afterAll(() => rmSync(folder, { recursive: true }));
 
-function call(...args: string[]): { status: number; out: string; err: string } {
+async function call(...args: string[]): Promise<{ status: number; out: string; err: string }> {
   const out: string[] = [];
   const err: string[] = [];
-  const status = run(args, { out: (line) => out.push(line), err: (line) => err.push(line) });
+  const status = await run(args, { out: (line) => out.push(line), err: (line) => err.push(line) });
   return { status, out: out.join('\n'), err: err.join('\n') };
 }
 
@@ -30,8 +30,8 @@ function file(name: string, change: (species: Record<string, never>) => unknown)
 }
 
 describe('stats', () => {
-  test('prints the figures as JSON', () => {
-    const { status, out, err } = call('stats', 'quaking-aspen', '--seed', '4', '--json');
+  test('prints the figures as JSON', async () => {
+    const { status, out, err } = await call('stats', 'quaking-aspen', '--seed', '4', '--json');
     expect([status, err]).toEqual([0, '']);
     const stats = JSON.parse(out) as TreeStats;
     expect(Object.keys(stats)).toEqual([
@@ -65,30 +65,30 @@ describe('stats', () => {
     expect(stats.milliseconds).toBeGreaterThan(0);
   });
 
-  test('prints the same figures to read, for a file too, with seed 1 where none is given', () => {
-    const { status, out } = call('stats', aspen);
-    const stats = JSON.parse(call('stats', 'Quaking-Aspen', '--seed', '1', '--json').out) as TreeStats;
+  test('prints the same figures to read, for a file too, with seed 1 where none is given', async () => {
+    const { status, out } = await call('stats', aspen);
+    const stats = JSON.parse((await call('stats', 'Quaking-Aspen', '--seed', '1', '--json')).out) as TreeStats;
     expect(status).toBe(0);
     expect(out).toContain('Quaking Aspen, seed 1');
     expect(out).toContain(`height ${stats.height.toFixed(2)} m`);
     expect(out).toContain(`${stats.leaves} leaves, ${stats.pieces} pieces`);
   });
 
-  test('a tree beyond the budget ends with its message', () => {
+  test('a tree beyond the budget ends with its message', async () => {
     const huge = file('huge.json', ({ levels }: Record<string, { branches: number }[]>) => {
       levels[1].branches = 50_000;
       levels[2].branches = 50_000;
     });
-    const { status, out, err } = call('stats', huge);
+    const { status, out, err } = await call('stats', huge);
     expect([status, out]).toEqual([1, '']);
     expect(err).toMatch(/asks for at least .* stems; the limit is 400\u2009000.*levels\[2\]\.branches/);
   });
 
-  test('a tree without a trunk ends with what to change', () => {
+  test('a tree without a trunk ends with what to change', async () => {
     const flat = file('flat.json', ({ levels }: Record<string, { length: number }[]>) => {
       levels[0].length = 0;
     });
-    expect(call('stats', flat)).toEqual({
+    expect(await call('stats', flat)).toEqual({
       status: 1,
       out: '',
       err: 'The trunk has no length with seed 1. Raise levels[0].length, which is 0.',
@@ -114,28 +114,28 @@ describe('stats', () => {
     [['validate', aspen, '--json'], 2, 'validate takes no options'],
     [['plant'], 2, 'There is no command "plant"'],
     [[], 2, 'Say what to do'],
-  ])('%j ends with %i', (args, status, message) => {
-    const result = call(...args);
+  ])('%j ends with %i', async (args, status, message) => {
+    const result = await call(...args);
     expect(result).toMatchObject({ status, out: '' });
     expect(result.err).toContain(message);
   });
 });
 
 describe('validate', () => {
-  test('says of each file whether it is valid', () => {
+  test('says of each file whether it is valid', async () => {
     const others = ['black-tupelo', 'weeping-willow', 'california-black-oak'].map((name) =>
       join(root, `public/species/${name}.json`),
     );
-    const { status, out, err } = call('validate', aspen, ...others);
+    const { status, out, err } = await call('validate', aspen, ...others);
     expect([status, err]).toEqual([0, '']);
     expect(out.split('\n')).toEqual([aspen, ...others].map((path) => `${path}: a valid species`));
   });
 
-  test('tells winds and lists from species by what they say of themselves', () => {
+  test('tells winds and lists from species by what they say of themselves', async () => {
     const files = ['winds/recorded.json', 'winds/index.json', 'species/index.json'].map((name) =>
       join(root, 'public', name),
     );
-    const { status, out, err } = call('validate', ...files);
+    const { status, out, err } = await call('validate', ...files);
     expect([status, err]).toEqual([0, '']);
     expect(out.split('\n')).toEqual([
       `${files[0]}: a valid wind`,
@@ -144,7 +144,7 @@ describe('validate', () => {
     ]);
   });
 
-  test('finds the faults of a wind, of the record beside it, and of a list', () => {
+  test('finds the faults of a wind, of the record beside it, and of a list', async () => {
     const write = (name: string, value: unknown): string => {
       writeFileSync(join(folder, name), typeof value === 'string' ? value : JSON.stringify(value));
       return join(folder, name);
@@ -159,7 +159,7 @@ describe('validate', () => {
       write('other.json', { format: 'windgrove-tree' }),
       write('number.json', '7'),
     ];
-    const { status, out, err } = call('validate', ...files);
+    const { status, out, err } = await call('validate', ...files);
     expect([status, out]).toEqual([1, '']);
     const at = (i: number): string => `${files[i]}: `;
     expect(err.split('\n')).toEqual([
@@ -172,13 +172,13 @@ describe('validate', () => {
     ]);
   });
 
-  test('names the path of every fault and ends with 1', () => {
+  test('names the path of every fault and ends with 1', async () => {
     const bad = file('bad.json', ({ tree, levels }: Record<string, never>) => {
       Object.assign(tree, { scale: 'tall' });
       Object.assign(levels[1], { curveRes: -1, colour: 'red' });
     });
     const broken = file('broken.json', () => '{"format": ');
-    const { status, out, err } = call('validate', bad, aspen, broken, join(folder, 'none.json'));
+    const { status, out, err } = await call('validate', bad, aspen, broken, join(folder, 'none.json'));
     expect(status).toBe(1);
     expect(out).toBe(`${aspen}: a valid species`);
     expect(err.split('\n')).toEqual([
@@ -191,16 +191,16 @@ describe('validate', () => {
   });
 });
 
-test('--help and --version', () => {
+test('--help and --version', async () => {
   for (const args of [['--help'], ['-h'], ['help'], ['stats', '--help']]) {
-    expect(call(...args)).toMatchObject({ status: 0, err: '' });
-    expect(call(...args).out).toContain('windgrove validate FILE...');
+    expect(await call(...args)).toMatchObject({ status: 0, err: '' });
+    expect((await call(...args)).out).toContain('windgrove validate FILE...');
   }
   const { version } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
-  expect(call('--version')).toEqual({ status: 0, out: version, err: '' });
+  expect(await call('--version')).toEqual({ status: 0, out: version, err: '' });
 });
 
-test('the file itself runs in Node and hands on the exit status', () => {
+test('the file itself runs in Node and hands on the exit status', async () => {
   const main = join(root, 'src/cli/main.ts');
   const node = (...args: string[]) =>
     execFileSync(process.execPath, ['--import', 'tsx', main, ...args], { cwd: root, stdio: 'pipe' });

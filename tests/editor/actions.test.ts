@@ -12,6 +12,7 @@ import { createSession, type SessionStore } from '../../src/editor/session.ts';
 import { Clock } from '../../src/view/clock.ts';
 import { windDirection } from '../../src/view/wind-direction.ts';
 import { shippedWind, windNames } from '../core/wind/shipped-winds.ts';
+import { fakePreferences, fakeServices } from './fakes.ts';
 
 const shipped = windNames.map((id) => {
   const wind = roundWind(shippedWind(id));
@@ -27,7 +28,6 @@ let clock: Clock;
 let actions: Actions;
 let copied: string;
 
-const preferences = () => ({ theme: 'auto' as const, folds: {}, studioHeight: null, shortcuts: true, visited: false });
 const rule = (key: string) => WAVE_NUMBERS.find((n) => n.key === key)!;
 
 beforeEach(() => {
@@ -35,14 +35,13 @@ beforeEach(() => {
   session = createSession({ winds: shipped });
   clock = new Clock();
   copied = '';
-  actions = createActions(document, session, preferences(), clock, {
-    share: async () => {},
-    cancelGrowing: () => {},
+  actions = createActions(document, session, fakePreferences(), clock, {
+    ...fakeServices(),
     copy: async (text) => {
       copied = text;
     },
-    save: (_, text) => {
-      copied = text;
+    save: (_, content) => {
+      copied = String(content);
     },
   });
 });

@@ -144,6 +144,43 @@ describe('seeking is playing', () => {
   });
 });
 
+describe('a run that begins near', () => {
+  beforeEach(() => {
+    run = new StateRun(told, 6, 40, true);
+  });
+
+  test('begins where it is asked for, in no steps, and plays on from there', () => {
+    expect(run.reach(3000, 3001, source)).toBe(true);
+    expect(told.steps).toBe(1);
+    expect([run.pure, run.catchingUp]).toEqual([false, null]);
+    play(3001, 3040);
+    expect(told.latest.split(' ')).toHaveLength(42);
+  });
+
+  test('is what its past makes of it once it is settled, and after a seek', () => {
+    expect(run.reach(100, 101, source)).toBe(true);
+    run.settle();
+    seek(100);
+    expect(run.pure).toBe(true);
+    expect(stateOf(100)).toBe(always(0, 100));
+    run = new StateRun(told, 6, 40, true);
+    expect(run.reach(100, 101, source)).toBe(true);
+    seek(400);
+    expect(stateOf(400)).toBe(always(0, 400));
+  });
+
+  test('a run that did not begin near is left alone by settling', () => {
+    run = new StateRun(told, 6, 40);
+    seek(120);
+    source.edit(1);
+    play(121, 130);
+    const before = stateOf(130);
+    run.settle();
+    expect(run.reach(130, 131, source)).toBe(true);
+    expect(stateOf(130)).toBe(before);
+  });
+});
+
 describe('an edit while playing', () => {
   beforeEach(() => {
     play(0, 100);

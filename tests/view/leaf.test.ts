@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import { type LeafGrain, leafMesh, leafTriangles } from '../../src/core/look/leaf-mesh.ts';
+import { LEAF_SHAPES } from '../../src/core/look/leaf-outline.ts';
 import { gridDetail, leafGrain, leafGrowth, leavesDrawn } from '../../src/view/detail.ts';
-import { type LeafGrain, leafMesh, leafTriangles } from '../../src/view/leaf-mesh.ts';
-import { LEAF_SHAPES } from '../../src/view/leaf-outline.ts';
 
 const GRAINS: readonly LeafGrain[] = ['near', 'middle', 'far'];
 

@@ -1,6 +1,7 @@
-import { PerspectiveCamera } from 'three';
+import { type InstancedBufferGeometry, PerspectiveCamera, Sphere } from 'three';
 import { expect, test } from 'vitest';
 import { growPacked } from '../../src/core/pack/grow-packed.ts';
+import { windBox } from '../../src/view/tree-extent.ts';
 import { TreeParts } from '../../src/view/tree-parts.ts';
 import { shippedSpecies } from '../core/pack/shipped-species.ts';
 
@@ -48,10 +49,16 @@ test('geometry is made anew where it must look another way, and not from frame t
   geometries(400).forEach((geometry, i) => {
     expect(geometry).not.toBe(near[i]);
   });
+  const wide = geometries(400);
   tree.setTree(packed, { ...species, leaves: { ...species.leaves, scaleX: 0.5 } });
   const narrow = geometries(400);
-  tree.setTree(packed, species);
-  geometries(400).forEach((geometry, i) => {
-    expect(geometry).not.toBe(narrow[i]);
-  });
+  expect(narrow.at(-1)).not.toBe(wide.at(-1));
+  // Another tree's stems are as many copies of the same grid.
+  expect(narrow.slice(0, -1)).toEqual(wide.slice(0, -1));
+  const other = growPacked(species, 2).packed;
+  tree.setTree(other, species);
+  const [first] = geometries(400) as InstancedBufferGeometry[];
+  expect(first).toBe(wide[0]);
+  expect(tree.stats().pieces).toBe(other.pieceCount);
+  expect(first?.boundingSphere?.radius).toBeCloseTo(windBox(other.bounds).getBoundingSphere(new Sphere()).radius, 6);
 });

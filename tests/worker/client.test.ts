@@ -93,6 +93,7 @@ describe('GrowClient with the real service', () => {
     const here = growPacked(anySpecies, 5);
     expect(hashPacked(grown.packed)).toBe(hashPacked(here.packed));
     expect({ ...grown.stats, milliseconds: 0 }).toEqual(here.stats);
+    expect(grown.stems).toEqual(here.stems);
     expect(grown.milliseconds.grow).toBeGreaterThan(0);
     const order = stages.map((s) => ['grow', 'fit', 'pack'].indexOf(s.split(' ')[0]));
     expect(order).toEqual([...order].sort());

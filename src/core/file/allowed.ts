@@ -22,7 +22,7 @@ export function allowedValues(p: Parameter): string {
     case 'number':
       return `a ${p.integer ? 'whole ' : ''}number ${range(p)}${p.orNull ? ', or null' : ''}`;
     case 'numbers':
-      return `a list of 1 to 8 numbers ${range(p)}`;
+      return `a list of ${p.least ?? 1} to 8 numbers ${range(p)}`;
     case 'flag':
       return 'true or false';
     case 'choice':
@@ -41,7 +41,9 @@ export function isAllowed(p: Parameter, value: unknown): boolean {
     case 'number':
       return (inRange(p, value) && (!p.integer || Number.isInteger(value))) || (value === null && !!p.orNull);
     case 'numbers':
-      return Array.isArray(value) && value.length >= 1 && value.length <= 8 && value.every((v) => inRange(p, v));
+      return (
+        Array.isArray(value) && value.length >= (p.least ?? 1) && value.length <= 8 && value.every((v) => inRange(p, v))
+      );
     case 'flag':
       return typeof value === 'boolean';
     case 'choice':

@@ -1,4 +1,5 @@
 import { jsonFault } from './json-fault.ts';
+import { jsonTwice } from './json-twice.ts';
 
 /** One thing that is wrong with a file. All three are plain text, never markup. */
 export interface Fault {
@@ -20,7 +21,8 @@ export type ReadJson =
   | { readonly value?: undefined; readonly fault: Fault };
 
 /**
- * What JSON.parse makes of the text of a file, or the fault that it has as a whole; never throws.
+ * What JSON.parse makes of the text of a file, or the fault that it has as a whole; never throws. A key that stands twice is a
+ * fault: nobody can see which of the two holds.
  *
  * `kind` is what the file should be, in words: 'a species'. A text longer than `longest` characters is not read: it is something else.
  */
@@ -30,11 +32,16 @@ export function readJson(text: string, kind: string, longest: number): ReadJson 
   const broken = (found: string): ReadJson => ({ fault: { path: '', found, allowed: `${kind} as a JSON document` } });
   if (input.trim() === '') return broken('an empty file');
   if (input.length > longest) return broken(`${input.length} characters`);
+  let value: unknown;
   try {
-    return { value: JSON.parse(input) };
+    value = JSON.parse(input);
   } catch {
     return broken(`broken JSON ${placeOf(jsonFault(input), input)}`);
   }
+  const twice = jsonTwice(input);
+  return twice === undefined
+    ? { value }
+    : { fault: { path: twice, found: 'the key twice', allowed: 'one of the two' } };
 }
 
 function placeOf(index: number, text: string): string {

@@ -52,14 +52,16 @@ export interface ColourParameter extends Common {
   readonly default: string;
 }
 
-/** A number for each level, the last for all deeper ones. */
+/** A list of up to eight numbers, such as one for each level, the last for all deeper ones. */
 export interface NumbersParameter extends Common {
   readonly kind: 'numbers';
+  /** Least length of the list; 1 by default. */
+  readonly least?: number;
   readonly unit: string;
   readonly min: number;
   readonly max: number;
   readonly step: number;
-  readonly default: readonly number[];
+  readonly default: readonly number[] | undefined;
 }
 
 export type Parameter = NumberParameter | FlagParameter | ChoiceParameter | ColourParameter | NumbersParameter;

@@ -83,6 +83,10 @@ export function unknownKeys(fields: Fields, prefix: string, known: readonly stri
   }
 }
 
+/** JSON has -0, but what is written anew has not: it would be another file that reads the same. */
+const withoutMinus = (value: unknown): unknown =>
+  typeof value === 'number' ? value + 0 : Array.isArray(value) ? value.map(withoutMinus) : value;
+
 /** The values of parameters, by key, with what is absent filled in; faults go on the list. `prefix` is '' or ends in a dot. */
 export function readParameters(
   parameters: readonly Parameter[],
@@ -98,7 +102,7 @@ export function readParameters(
     if (found === undefined && !isRequired(p)) {
       const value = defaultOf(p);
       if (value !== undefined) read[p.key] = value;
-    } else if (isAllowed(p, found)) read[p.key] = found;
+    } else if (isAllowed(p, found)) read[p.key] = withoutMinus(found);
     else faults.push({ path: `${prefix}${p.key}`, found: foundText(found), allowed: allowedValues(p) });
   }
   return read;

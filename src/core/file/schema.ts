@@ -24,7 +24,7 @@ export function parameterSchema(p: Parameter, value: Parameter['default'], sourc
       return {
         ...common,
         type: 'array',
-        minItems: 1,
+        minItems: p.least ?? 1,
         maxItems: 8,
         items: { type: 'number', minimum: p.min, maximum: p.max },
       };

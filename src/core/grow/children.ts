@@ -93,9 +93,10 @@ export class ChildGrower {
     const base = stems.level[i] === 0 ? species.tree.baseSize * parentLength : 0;
     // Row 4: the variation of the length is drawn once for each child.
     const relative = Math.max(0, plan.parameters.length + spread(own, DRAW.length, plan.parameters.lengthV));
+    const { shape, crown } = species.tree;
     const length =
       plan.level === 1
-        ? mainBranchLength(relative, parentLength, offset, base, species.tree.shape, species.pruning)
+        ? mainBranchLength(relative, parentLength, offset, base, shape, species.pruning, crown)
         : deeperLength(relative, parentLength, offset);
 
     const at = locate(stems, i, z);

@@ -12,6 +12,7 @@ import { trunkRadius } from './radius.ts';
 import { StemGrower } from './stem-grower.ts';
 import { stretchStems } from './stretch.ts';
 import type { Tree } from './tree.ts';
+import { treeSize } from './tree-size.ts';
 
 /** What has been grown so far. */
 export interface GrowthCounts {
@@ -50,9 +51,7 @@ export function grow(given: Species, seed: number, options: GrowOptions = {}): T
   const species = withReadings(given);
   const budget = { ...DEFAULT_BUDGET, ...options.budget };
   const { tree } = species;
-  const stream = streamOf(seed >>> 0);
-  // Row 53: a tree is never smaller than a quarter of its scale, whatever ScaleV says.
-  const scale = Math.max(tree.scale + spread(stream, DRAW.scale, tree.scaleV), tree.scale / 4);
+  const { scale, stretch } = treeSize(species, seed);
   const all = Math.max(1, Math.round(tree.levels));
   const levels = Math.max(1, Math.min(all, Math.floor(options.levels ?? all)));
   const plans = Array.from({ length: levels }, (_, level) => {
@@ -94,8 +93,7 @@ export function grow(given: Species, seed: number, options: GrowOptions = {}): T
   report(levels + 1, 0);
 
   const finished = stems.finish();
-  const stretch = tree.zScale + spread(stream, DRAW.zScale, tree.zScaleV);
-  if (stretch !== 1) stretchStems(finished, Math.max(stretch, 0.01));
+  if (stretch !== 1) stretchStems(finished, stretch);
   return { species, seed, scale, stems: finished, leaves: leaves.leaves.finish(leaves.length) };
 }
 

@@ -1,3 +1,4 @@
+import { crownCurve } from './crown-curve.ts';
 import { power, sinCos, trig } from './elementary.ts';
 
 /** The part of a species' pruning that gives the envelope its shape. */
@@ -65,7 +66,10 @@ export function envelopeRatio(ratio: number, { widthPeak, powerLow, powerHigh }:
     : power((1 - ratio) / Math.max(widthPeak, 1e-9), powerLow);
 }
 
-/** Length of a level-1 stem in metres (Weber & Penn 1995, 4.3; row 2). `relative` is nLength +- nLengthV. */
+/**
+ * Length of a level-1 stem in metres (Weber & Penn 1995, 4.3; row 2). `relative` is nLength +- nLengthV; a `crown` curve takes the place
+ * of ShapeRatio.
+ */
 export const mainBranchLength = (
   relative: number,
   trunk: number,
@@ -73,7 +77,11 @@ export const mainBranchLength = (
   base: number,
   shape: number,
   envelope?: EnvelopeShape,
-): number => trunk * relative * shapeRatio(shape, (trunk - offset) / (trunk - base), envelope);
+  crown?: readonly number[],
+): number => {
+  const ratio = (trunk - offset) / (trunk - base);
+  return trunk * relative * (crown ? crownCurve(crown, 1 - ratio) : shapeRatio(shape, ratio, envelope));
+};
 
 /** Length of a stem of level 2 and deeper in metres (Weber & Penn 1995, 4.3; row 3). */
 export const deeperLength = (relative: number, parent: number, offset: number): number =>

@@ -1,7 +1,11 @@
+import { nearest } from '../file/nearest.ts';
+import { treeNameOf } from '../species/tree-name.ts';
+import { decodeEdits } from './decode-edits.ts';
 import { decodeWind, type Winds } from './decode-wind.ts';
 import { type CameraPose, type Comparison, LAYOUTS, type LinkDocument, THEMES, VIEW_MODES } from './document.ts';
 import { COMPARED, roundDocument, roundTime } from './encode.ts';
 import { CAMERA_NUMBERS, LINK_NUMBERS } from './numbers.ts';
+import { unpackLink } from './packed-link.ts';
 import { type LinkFault, LinkReader } from './reader.ts';
 import { allowed, readNumber } from './rule.ts';
 import { textFromBase64 } from './text.ts';
@@ -22,14 +26,16 @@ export interface DecodeOptions {
  */
 export function decodeLink(link: string, options: DecodeOptions): { document: LinkDocument; faults: LinkFault[] } {
   const { defaults, species, winds } = options;
-  const reader = new LinkReader(new Map(new URLSearchParams(link.replace(/^[#?]/, ''))));
+  const reader = readerOf(link);
   const own = reader.read('own', null, 'a species file as base64url', (text) => textFromBase64(text) ?? undefined);
+  const file = reader.read('file', own, 'a species file', (text) => text || undefined);
   const { preset, wind } = decodeWind(reader, winds, defaults);
   const { overlays } = defaults;
   const document = roundDocument({
     species: reader.choice('s', defaults.species, species),
-    ownSpecies: own,
-    edits: {},
+    ownSpecies: file,
+    edits: decodeEdits(reader),
+    treeName: reader.read('called', null, 'a name', (text) => treeNameOf(text) ?? undefined),
     seed: reader.linkNumber('seed', defaults.seed),
     time: roundTime(reader.linkNumber('t', defaults.time)),
     paused: reader.flag('paused', defaults.paused),
@@ -52,8 +58,33 @@ export function decodeLink(link: string, options: DecodeOptions): { document: Li
     wind,
     compare: compare(reader, winds, { preset, wind }) ?? defaults.compare,
   });
-  for (const [key, value] of reader.values) reader.fault(key, value, 'nothing of this name');
+  unknownKeys(reader);
   return { document, faults: reader.faults };
+}
+
+/** The values of a link; of a packed one those within, and what was typed beside them goes before. */
+function readerOf(link: string): LinkReader {
+  const typed = new Map(new URLSearchParams(link.replace(/^[#?]/, '')));
+  const packed = typed.get('z');
+  const within = packed === undefined ? '' : unpackLink(packed);
+  typed.delete('z');
+  const reader = new LinkReader(new Map([...new URLSearchParams(within ?? ''), ...typed]));
+  reader.known.add('z');
+  if (within === undefined) reader.fault('z', packed!, 'a packed link, whole');
+  return reader;
+}
+
+/** Keys for which the one that was meant is looked for: a link can hold a megabyte of nonsense. */
+const LOOKED_FOR = 20;
+
+/** A fault for each key that no link has. */
+function unknownKeys(reader: LinkReader): void {
+  const known = [...reader.known];
+  let count = 0;
+  for (const [key, value] of reader.values) {
+    const near = count++ < LOOKED_FOR ? nearest(key, known) : undefined;
+    reader.fault(key, value, near ? `${near}, if that was meant` : 'nothing of this name');
+  }
 }
 
 function camera(reader: LinkReader, fallback: CameraPose | null): CameraPose | null {

@@ -64,6 +64,8 @@ export interface LinkDocument {
   readonly ownSpecies: string | null;
   /** What the reader changed of that species. */
   readonly edits: SpeciesEdits;
+  /** What the reader calls the edited tree; null: as its species. One line, 1 to 80 characters, no space at its ends. */
+  readonly treeName: string | null;
   /** Unsigned 32-bit integer. */
   readonly seed: number;
   /** Seconds, a whole number of steps of the clock, >= 0. */

@@ -1,6 +1,9 @@
+import { treeNameOf } from '../species/tree-name.ts';
 import { ALL_LEVELS, type CameraPose, type LinkDocument, OVERLAYS, STEPS_PER_SECOND } from './document.ts';
+import { editText, roundEdits } from './encode-edits.ts';
 import { encodeWind } from './encode-wind.ts';
 import { CAMERA_NUMBERS, LINK_NUMBERS } from './numbers.ts';
+import { packLink } from './packed-link.ts';
 import { roundWind } from './round-wind.ts';
 import { kept, roundTo } from './rule.ts';
 import { textToBase64 } from './text.ts';
@@ -35,6 +38,8 @@ export function roundDocument(document: LinkDocument): LinkDocument {
   const { compare } = document;
   return {
     ...document,
+    edits: roundEdits(document.edits),
+    treeName: document.treeName === null ? null : treeNameOf(document.treeName),
     seed: roundTo(LINK_NUMBERS.seed, document.seed),
     time: roundTime(document.time),
     rate: roundTo(LINK_NUMBERS.rate, document.rate),
@@ -46,17 +51,32 @@ export function roundDocument(document: LinkDocument): LinkDocument {
   };
 }
 
+/** Characters of the longest link that stays readable: programs that pass links on cut what is much longer. */
+const LONGEST_READABLE = 1500;
+
 /**
- * The document as `key=value` pairs for the part of an address behind `#`.
+ * The document as `key=value` pairs for the part of an address behind `#`; one that would be too long to pass on, packed: `z=...`.
  *
  * Species, seed, time and waves always stand there, so that a link keeps its picture when the winds that ship are tuned; what
  * is as in a fresh document (all levels, shaded, playing, ...) is left out.
  */
 export function encodeLink(document: LinkDocument): string {
   const d = roundDocument(document);
-  const pairs: [string, string][] = d.ownSpecies === null ? [['s', d.species]] : [['own', textToBase64(d.ownSpecies)]];
+  const readable = linkOf(d, 'own');
+  if (readable.length <= LONGEST_READABLE) return readable;
+  const packed = `z=${packLink(linkOf(d, 'file'))}`;
+  return packed.length < readable.length ? packed : readable;
+}
+
+/** `file` has the text of the reader's own species as it is, which packs better than `own`, its base64url. */
+function linkOf(d: LinkDocument, own: 'own' | 'file'): string {
+  const pairs: [string, string][] = [];
   const put = (key: string, value: string | number): void => void pairs.push([key, String(value)]);
+  if (d.ownSpecies === null) put('s', d.species);
+  else put(own, own === 'own' ? textToBase64(d.ownSpecies) : d.ownSpecies.replace(/\p{Surrogate}/gu, '\ufffd'));
   put('seed', d.seed);
+  for (const [path, value] of Object.entries(d.edits)) put(path, editText(value));
+  if (d.treeName !== null) put('called', d.treeName);
   put('t', roundTo(LINK_NUMBERS.t, d.time));
   if (d.paused) put('paused', 1);
   if (d.rate !== 1) put('rate', d.rate);

@@ -15,17 +15,20 @@ export interface LinkFault {
 export class LinkReader {
   readonly values: Map<string, string>;
   readonly faults: LinkFault[];
+  /** Keys that were asked for: those that a link may have. */
+  readonly known: Set<string>;
   readonly #prefix: string;
 
-  constructor(values: Map<string, string>, faults: LinkFault[] = [], prefix = '') {
+  constructor(values: Map<string, string>, faults: LinkFault[] = [], known = new Set<string>(), prefix = '') {
     this.values = values;
     this.faults = faults;
+    this.known = known;
     this.#prefix = prefix;
   }
 
   /** Reads the keys that begin with `prefix`, under their names without it. */
   within(prefix: string): LinkReader {
-    return new LinkReader(this.values, this.faults, prefix);
+    return new LinkReader(this.values, this.faults, this.known, prefix);
   }
 
   has(key: string): boolean {
@@ -33,8 +36,10 @@ export class LinkReader {
   }
 
   take(key: string): string | undefined {
-    const value = this.values.get(this.#prefix + key);
-    this.values.delete(this.#prefix + key);
+    const whole = this.#prefix + key;
+    const value = this.values.get(whole);
+    this.known.add(whole);
+    this.values.delete(whole);
     return value;
   }
 

@@ -9,6 +9,7 @@ import type { LeafAttachments, Pieces } from '../pieces/pieces.ts';
 import type { Species } from '../species/species.ts';
 import { packTree } from './pack.ts';
 import type { PackedTree } from './packed.ts';
+import { type StemTable, stemTable } from './stem-table.ts';
 
 export type GrowStage = 'grow' | 'fit' | 'pack';
 
@@ -23,6 +24,8 @@ export interface GrowPackedOptions extends Omit<GrowOptions, 'onProgress'> {
 export interface GrownPacked {
   readonly packed: PackedTree;
   readonly stats: TreeStats;
+  /** What a page says of the stems; no part of the packed tree's hash. */
+  readonly stems: StemTable;
   /** How long each stage took. */
   readonly milliseconds: Readonly<Record<GrowStage, number>>;
   /** What was packed; `pieces.stem` leads from what is drawn back to the stem. */
@@ -52,9 +55,10 @@ export function growPacked(species: Species, seed: number, options: GrowPackedOp
   const attachments = attachLeaves(tree, pieces);
   const fitted = enter('pack');
   const packed = packTree(tree, pieces, attachments);
+  const stems = stemTable(tree, pieces);
   const done = now();
   const milliseconds = { grow: grown - began, fit: fitted - grown, pack: done - fitted };
   const stats = treeStats(tree, { pieces, packed, milliseconds: done - began });
   onProgress?.('pack', 1);
-  return { packed, stats, milliseconds, tree, pieces, attachments };
+  return { packed, stats, stems, milliseconds, tree, pieces, attachments };
 }

@@ -1,9 +1,26 @@
 import { SHAPES } from '../grow/stem-shape.ts';
-import type { NumberParameter } from './parameter.ts';
+import type { NumberParameter, NumbersParameter } from './parameter.ts';
 import { number } from './parameter.ts';
 
+const crown: NumbersParameter = {
+  kind: 'numbers',
+  group: 'tree',
+  key: 'crown',
+  label: 'Crown curve',
+  help: 'Lengths of the main branches from the base of the crown to its top, in place of the shape.',
+  unit: '',
+  min: 0,
+  max: 1,
+  step: 0.01,
+  least: 2,
+  symbol: '',
+  section: '',
+  optional: true,
+  default: undefined,
+};
+
 /** Parameters of the whole tree. */
-export const TREE_PARAMETERS: readonly NumberParameter[] = [
+export const TREE_PARAMETERS: readonly (NumberParameter | NumbersParameter)[] = [
   number(
     'tree',
     'shape',
@@ -18,6 +35,7 @@ export const TREE_PARAMETERS: readonly NumberParameter[] = [
       default: 7,
     },
   ),
+  crown,
   number('tree', 'baseSize', 'Bare base', 'Part of the trunk at its base that bears no branches.', [0, 0.99, 0.01], {
     symbol: 'BaseSize',
     section: '4.3',

@@ -20,8 +20,15 @@ export type ParsedSpecies =
 /** A species file is a few kilobytes; this much is something else. */
 const LONGEST = 1_000_000;
 
+/** Letters of a species' name, at most. */
+export const LONGEST_NAME = 80;
+
 /** The texts at the head of a file. */
-const TEXTS = { name: { longest: 80, required: true }, latin: { longest: 80 }, source: { longest: 400 } } as const;
+const TEXTS = {
+  name: { longest: LONGEST_NAME, required: true },
+  latin: { longest: 80 },
+  source: { longest: 400 },
+} as const;
 
 /**
  * A species from the text of a file, or from what JSON.parse made of it; every fault where there are any, each with its path.

@@ -23,6 +23,11 @@ export interface Species {
 
 export interface TreeParameters {
   readonly shape: number;
+  /**
+   * Lengths of the main branches in place of ShapeRatio(`shape`), 2 to 8 numbers 0..1 at even steps from the base of the crown to the
+   * top; absent: `shape` alone.
+   */
+  readonly crown?: readonly number[];
   readonly baseSize: number;
   readonly scale: number;
   readonly scaleV: number;

@@ -3,6 +3,7 @@ import { type Fault, faultText } from '../../core/file/fault.ts';
 import { comesFrom, parseAnemometer } from '../../core/wind/anemometer.ts';
 import type { WindRecord } from '../../core/wind/wind.ts';
 import { icon } from '../ui/icons.ts';
+import { anemometerWords } from '../words/studio-panels.ts';
 import { onTheme, plotColours } from './plot-colours.ts';
 import { plotFigure } from './plot-figure.ts';
 import { StudioPart } from './studio-part.ts';
@@ -10,8 +11,8 @@ import type { StudioState } from './studio-state.ts';
 import { type Line, TimePlot } from './time-plot.ts';
 import { niceRange, threeDigits } from './units.ts';
 
-const SPEED: readonly Line[] = [{ label: 'measured', colour: 'force', dash: [], area: true }];
-const DIRECTION: readonly Line[] = [{ label: 'comes from', colour: 'reference', dash: [3, 2] }];
+const SPEED: readonly Line[] = [{ label: anemometerWords.measured, colour: 'force', dash: [], area: true }];
+const DIRECTION: readonly Line[] = [{ label: anemometerWords.from, colour: 'reference', dash: [3, 2] }];
 
 /** Longest file that is opened, bytes. */
 const LONGEST = 16_000_000;
@@ -82,18 +83,18 @@ class AnemometerPanel extends StudioPart {
     const sample = this.session.winds.find((w) => w.wind.record)?.wind.record;
     return html`<div class="anemometer-side">
         ${bad ? this.complaint(bad) : nothing}
-        ${record ? this.about(record) : html`<p>Let a measured wind blow: a CSV file with a time, a speed and, where there is one, the direction that it comes from. Its header names the columns and their units.</p>`}
+        ${record ? this.about(record) : html`<p>${anemometerWords.about}</p>`}
         <div class="buttons">
-          <label class="button open-file">${icon('open')}<span>Open a CSV file…</span>
+          <label class="button open-file">${icon('open')}<span>${anemometerWords.open}</span>
             <input type="file" accept=".csv,.tsv,.txt,text/csv" class="spoken" @change=${this.open}></label>
-          ${sample ? html`<button type="button" class="quiet" @click=${() => this.take(sample, [])}>The sample that comes with Windgrove</button>` : nothing}
+          ${sample ? html`<button type="button" class="quiet" @click=${() => this.take(sample, [])}>${anemometerWords.sample}</button>` : nothing}
         </div>
       </div>
       ${
         record
           ? html`<div class="anemometer-plots">
-              ${plotFigure('speed', 'Speed', 'm/s', SPEED, 'Measured speed over the length of the record')}
-              ${plotFigure('direction', 'Direction', '° clockwise from north', DIRECTION, 'Direction that the measured wind comes from', true)}
+              ${plotFigure('speed', anemometerWords.speed, 'm/s', SPEED)}
+              ${plotFigure('direction', anemometerWords.direction, anemometerWords.directionUnit, DIRECTION, true)}
             </div>`
           : this.example()
       }`;
@@ -101,9 +102,9 @@ class AnemometerPanel extends StudioPart {
 
   /** What such a file looks like, for whom has none at hand. */
   private example(): TemplateResult {
-    return html`<figure class="csv-example"><figcaption>Such a file begins like this</figcaption>
+    return html`<figure class="csv-example"><figcaption>${anemometerWords.example}</figcaption>
       <pre>${EXAMPLE}</pre>
-      <p class="soft">Directions are where the wind comes from, clockwise from north: 270° is a west wind. It can also be dropped on the page.</p></figure>`;
+      <p class="soft">${anemometerWords.exampleSays}</p></figure>`;
   }
 
   private about(record: WindRecord): TemplateResult {
@@ -115,24 +116,23 @@ class AnemometerPanel extends StudioPart {
     const playing =
       wind.record !== null && wind.record.name === record.name && wind.record.speed.length === record.speed.length;
     const waves = wind.waves.some((wave) => wave.on);
-    return html`<p><strong>${record.name}</strong>: ${record.speed.length} samples, ${threeDigits(1 / record.step)} a second, ${threeDigits(seconds)}\u2009s.
-        Mean ${threeDigits(mean)}\u2009m/s, at most ${threeDigits(most)}\u2009m/s. It plays around and around.</p>
+    return html`<p><strong>${record.name}</strong>${anemometerWords.figures(record.speed.length, threeDigits(1 / record.step), threeDigits(seconds), threeDigits(mean), threeDigits(most))}</p>
       ${this.notes.length ? html`<ul class="notes">${this.notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
       <div class="buttons">
         ${
           playing
-            ? html`<button type="button" class="quiet" @click=${() => actions.setRecord(null)}>${icon('pause')}<span>Stop it</span></button>`
-            : html`<button type="button" class="quiet" @click=${() => this.play(record, false)}>${icon('play')}<span>${waves ? 'Play it beside the waves' : 'Play it'}</span></button>
-              ${waves ? html`<button type="button" class="quiet" @click=${() => this.play(record, true)}>Play it alone</button>` : nothing}`
+            ? html`<button type="button" class="quiet" @click=${() => actions.setRecord(null)}>${icon('pause')}<span>${anemometerWords.stop}</span></button>`
+            : html`<button type="button" class="quiet" @click=${() => this.play(record, false)}>${icon('play')}<span>${waves ? anemometerWords.playBeside : anemometerWords.play}</span></button>
+              ${waves ? html`<button type="button" class="quiet" @click=${() => this.play(record, true)}>${anemometerWords.playAlone}</button>` : nothing}`
         }
       </div>`;
   }
 
   private complaint({ name, faults }: Bad): TemplateResult {
     const more = faults.length - LISTED;
-    return html`<div class="strip" data-kind="error" role="alert"><div><strong><span class="kind">Error:</span> ${name} was not opened</strong>
-      <ul>${faults.slice(0, LISTED).map((fault) => html`<li>${faultText(fault)}</li>`)}${more > 0 ? html`<li>${more} more like these.</li>` : nothing}</ul></div>
-      <button type="button" class="round" aria-label="Close this message" @click=${() => (this.bad = null)}>${icon('close')}</button></div>`;
+    return html`<div class="strip" data-kind="error" role="alert"><div><strong><span class="kind">${anemometerWords.error}</span> ${anemometerWords.notOpened(name)}</strong>
+      <ul>${faults.slice(0, LISTED).map((fault) => html`<li>${faultText(fault)}</li>`)}${more > 0 ? html`<li>${anemometerWords.more(more)}</li>` : nothing}</ul></div>
+      <button type="button" class="round" aria-label=${anemometerWords.close} @click=${() => (this.bad = null)}>${icon('close')}</button></div>`;
   }
 
   protected override updated(): void {
@@ -218,7 +218,7 @@ class AnemometerPanel extends StudioPart {
     this.record = record;
     this.notes = notes;
     this.bad = null;
-    this.editor.actions.say(`${record.name} is open; ${record.speed.length} samples`);
+    this.editor.actions.say(anemometerWords.isOpen(record.name, record.speed.length));
   }
 
   private play(record: WindRecord, alone: boolean): void {
@@ -228,7 +228,7 @@ class AnemometerPanel extends StudioPart {
       actions.setOwnWind({
         ...wind,
         name: record.name,
-        description: 'As it was measured, around and around.',
+        description: anemometerWords.asMeasured,
         record,
         waves: wind.waves.map((w) => ({ ...w, on: false })),
       });
@@ -245,7 +245,7 @@ class AnemometerPanel extends StudioPart {
     if (file.size > LONGEST) {
       this.bad = {
         name: file.name,
-        faults: [{ path: '', found: `${file.size} bytes`, allowed: `at most ${LONGEST}` }],
+        faults: [{ path: '', found: anemometerWords.bytes(file.size), allowed: anemometerWords.most(LONGEST) }],
       };
       return;
     }

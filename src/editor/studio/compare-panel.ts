@@ -2,6 +2,8 @@ import { html, type TemplateResult } from 'lit';
 import type { Comparison, Layout } from '../../core/link/link.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import { choice } from '../ui/choice.ts';
+import { studioWords } from '../words/studio.ts';
+import { comparedWords } from '../words/studio-panels.ts';
 import { type Compared, compare, comparedTable, differenceOf } from './compare-data.ts';
 import { csvOf, download } from './csv.ts';
 import { onTheme, plotColours } from './plot-colours.ts';
@@ -17,16 +19,14 @@ const LINES: readonly Line[] = [
   { label: 'A', colour: 'answer', dash: [] },
   { label: 'B', colour: 'answer', dash: [7, 3] },
 ];
-const DIFFERENCE: readonly Line[] = [{ label: 'B less A', colour: 'wrong', dash: [2, 2] }];
+const DIFFERENCE: readonly Line[] = [{ label: comparedWords.less, colour: 'wrong', dash: [2, 2] }];
 
 /** Milliseconds between two words on the difference. */
 const WORDS_EVERY = 1000;
 
-const MODEL_NAMES: Record<Wind['model'], string> = { direct: 'direct', spring: 'springs', sway: 'sway' };
-
 /** What a wind is, in a few words. */
 const inWords = (wind: Wind): string =>
-  `${wind.name}, ${MODEL_NAMES[wind.model]}${wind.pose === 'lagged' ? ', lagged' : ''}`;
+  comparedWords.wind(wind.name, comparedWords.models[wind.model], wind.pose === 'lagged');
 
 /** Two winds or two models on the same tree and clock, and how far apart they move the probe. */
 class ComparePanel extends StudioPart {
@@ -77,16 +77,16 @@ class ComparePanel extends StudioPart {
     const { wind } = this.doc;
     const other = (change: Partial<Wind>) => () => this.start({ ...wind, ...change });
     return html`<div class="studio-empty compare-empty">
-      <p>Two winds, or two models, on the same tree at the same time: side by side in the picture, and their difference as a plot.</p>
+      <p>${comparedWords.about}</p>
       <div class="buttons">
         ${
           wind.model === 'spring'
-            ? html`<button type="button" class="quiet" @click=${other({ model: 'direct' })}>Springs against direct</button>`
-            : html`<button type="button" class="quiet" @click=${other({ model: 'spring' })}>${wind.model === 'direct' ? 'Direct' : 'Sway'} against springs</button>`
+            ? html`<button type="button" class="quiet" @click=${other({ model: 'direct' })}>${comparedWords.springsDirect}</button>`
+            : html`<button type="button" class="quiet" @click=${other({ model: 'spring' })}>${wind.model === 'direct' ? comparedWords.directSprings : comparedWords.swaySprings}</button>`
         }
         <button type="button" class="quiet" @click=${other({ pose: wind.pose === 'lagged' ? 'exact' : 'lagged' })}>
-          ${wind.pose === 'lagged' ? 'Lagged against exact' : 'Exact against lagged'}</button>
-        <button type="button" class="quiet" @click=${() => this.editor.actions.startCompare()}>This wind against itself, to be changed</button>
+          ${wind.pose === 'lagged' ? comparedWords.laggedExact : comparedWords.exactLagged}</button>
+        <button type="button" class="quiet" @click=${() => this.editor.actions.startCompare()}>${comparedWords.itself}</button>
       </div></div>`;
   }
 
@@ -96,21 +96,21 @@ class ComparePanel extends StudioPart {
     return html`<div class="compare-side">
         ${choice({
           name: 'compare-layout',
-          legend: 'Show',
+          legend: comparedWords.layout,
           value: two.layout,
           options: [
             {
               value: 'split' as Layout,
-              label: 'Split',
-              title: 'One picture, A left and B right of a line that can be dragged',
+              label: comparedWords.split,
+              title: comparedWords.splitTitle,
             },
-            { value: 'side' as Layout, label: 'Side by side' },
+            { value: 'side' as Layout, label: comparedWords.beside },
           ],
           onChoose: (layout) => actions.setCompare({ ...two, layout }),
         })}
         ${choice({
           name: 'compare-edit',
-          legend: 'The mixer changes',
+          legend: comparedWords.edit,
           value: side,
           options: [
             { value: 'A' as const, label: html`<b>A</b>\u2002${inWords(this.doc.wind)}` },
@@ -118,20 +118,20 @@ class ComparePanel extends StudioPart {
           ],
           onChoose: (which) => actions.setSide(which),
         })}
-        <label class="compare-wind">B is <select aria-label="Wind B" @change=${(e: Event) => this.choose(two, (e.target as HTMLSelectElement).value)}>
-          <option value="" ?selected=${!winds.some((w) => w.id === two.preset && w.wind.name === two.wind.name)}>${two.wind.name}, own</option>
+        <label class="compare-wind">${comparedWords.isB} <select aria-label=${comparedWords.windB} @change=${(e: Event) => this.choose(two, (e.target as HTMLSelectElement).value)}>
+          <option value="" ?selected=${!winds.some((w) => w.id === two.preset && w.wind.name === two.wind.name)}>${comparedWords.own(two.wind.name)}</option>
           ${winds.map((w) => html`<option value=${w.id} ?selected=${w.id === two.preset && w.wind.name === two.wind.name}>${w.name}</option>`)}</select></label>
         <div class="buttons">
-          <button type="button" class="quiet" title="A becomes B, and B becomes A" @click=${() => actions.swapCompare()}>Swap</button>
-          <button type="button" class="quiet" title="B becomes what A is" @click=${() => actions.setCompare({ ...two, wind: this.doc.wind, preset: this.doc.preset })}>Copy A to B</button>
-          <button type="button" class="quiet" @click=${() => actions.setCompare(null)}>A alone</button>
+          <button type="button" class="quiet" title=${comparedWords.swapTitle} @click=${() => actions.swapCompare()}>${comparedWords.swap}</button>
+          <button type="button" class="quiet" title=${comparedWords.copyTitle} @click=${() => actions.setCompare({ ...two, wind: this.doc.wind, preset: this.doc.preset })}>${comparedWords.copy}</button>
+          <button type="button" class="quiet" @click=${() => actions.setCompare(null)}>${comparedWords.alone}</button>
         </div>
       </div>
       <div class="compare-plots">
-        ${plotFigure('both', 'Displacement along the wind', 'm', LINES, 'Displacement of the probed branch in both winds over time')}
-        ${plotFigure('difference', 'Difference', 'm', DIFFERENCE, 'Difference of the two displacements over time', true)}
+        ${plotFigure('both', comparedWords.both, 'm', LINES)}
+        ${plotFigure('difference', comparedWords.difference, 'm', DIFFERENCE, true)}
         <p class="compare-words" aria-live="off"></p>
-        <button type="button" class="quiet" @click=${this.save}>Download CSV</button>
+        <button type="button" class="quiet" @click=${this.save}>${studioWords.csv}</button>
       </div>`;
   }
 
@@ -225,8 +225,8 @@ class ComparePanel extends StudioPart {
     this.worded = now;
     const found = differenceOf(data);
     place.textContent = found
-      ? `B differs from A by ${lengthText(found.rms)} (root mean square) and at most ${lengthText(found.greatest)}; A itself is ${lengthText(found.of)} from its rest.`
-      : 'Nothing to compare yet.';
+      ? comparedWords.apart(lengthText(found.rms), lengthText(found.greatest), lengthText(found.of))
+      : comparedWords.nothing;
   }
 
   private mark(): void {

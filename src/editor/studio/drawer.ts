@@ -2,23 +2,16 @@ import { html, nothing, type TemplateResult } from 'lit';
 import '../styles/studio.css';
 import { choice } from '../ui/choice.ts';
 import { icon } from '../ui/icons.ts';
+import { placeText } from '../words/probe.ts';
+import { studioWords } from '../words/studio.ts';
 import { mendLocale } from './safe-locale.ts';
 import { StudioPart } from './studio-part.ts';
 import { SPANS, type Span, STUDIO_TABS, type StudioTab } from './studio-state.ts';
-import { placeText } from './words.ts';
 
 /** Heights that the drawer can be pulled to, and the step of an arrow key; pixels. The tree keeps at least so much above it. */
 const LOWEST = 160;
 const STEP = 16;
 const TREE = 320;
-
-const NAMES: Record<StudioTab, string> = {
-  plots: 'Plots',
-  field: 'Field',
-  textures: 'Textures',
-  compare: 'Compare',
-  anemometer: 'Anemometer',
-};
 
 const highest = (): number => Math.max(LOWEST, window.innerHeight - TREE);
 const within = (height: number): number => Math.round(Math.min(highest(), Math.max(LOWEST, height)));
@@ -55,13 +48,13 @@ class Drawer extends StudioPart {
     const { open, tab } = this.state;
     const { narrow } = this.session;
     const height = narrow ? null : this.editor.preferences.studioHeight;
-    return html`<section class="studio" aria-label="Wind studio" ?data-open=${open} style=${height === null ? nothing : `--studio: ${within(height)}px`}>
+    return html`<section class="studio" aria-label=${studioWords.name} ?data-open=${open} style=${height === null ? nothing : `--studio: ${within(height)}px`}>
       ${open && !narrow ? this.brim() : nothing}
       <div class="studio-bar">
-        ${narrow || open ? nothing : html`<span class="studio-name" aria-hidden="true">Wind studio</span>`}
-        <div role="tablist" aria-label="Wind studio" @keydown=${this.onKey}>${STUDIO_TABS.map(
+        ${narrow || open ? nothing : html`<span class="studio-name" aria-hidden="true">${studioWords.name}</span>`}
+        <div role="tablist" aria-label=${studioWords.name} @keydown=${this.onKey}>${STUDIO_TABS.map(
           (t) => html`<button type="button" role="tab" id="studio-tab-${t}" aria-selected=${t === tab}
-            aria-controls="studio-panel" tabindex=${t === tab ? 0 : -1} @click=${() => this.choose(t)}>${NAMES[t]}</button>`,
+            aria-controls="studio-panel" tabindex=${t === tab ? 0 : -1} @click=${() => this.choose(t)}>${studioWords.tabs[t]}</button>`,
         )}</div>
         ${open ? this.probe() : nothing}
         ${open && (tab === 'plots' || tab === 'compare') ? this.tools() : nothing}
@@ -69,7 +62,7 @@ class Drawer extends StudioPart {
           narrow
             ? nothing
             : html`<button type="button" class="round" aria-expanded=${open} aria-controls="studio-panel"
-                aria-label="Wind studio" title=${open ? 'Close the wind studio' : 'Open the wind studio'} @click=${this.turn}>
+                aria-label=${studioWords.name} title=${open ? studioWords.close : studioWords.open} @click=${this.turn}>
                 ${icon('down')}</button>`
         }
       </div>
@@ -81,9 +74,9 @@ class Drawer extends StudioPart {
 
   /** The drawer's upper edge, to pull. */
   private brim(): TemplateResult {
-    return html`<div class="brim" role="separator" tabindex="0" aria-orientation="horizontal" aria-label="Height of the wind studio"
+    return html`<div class="brim" role="separator" tabindex="0" aria-orientation="horizontal" aria-label=${studioWords.height}
       aria-controls="studio-panel" aria-valuemin=${LOWEST} aria-valuemax=${highest()} aria-valuenow=${Math.round(this.height())}
-      title="Pull to make the studio higher or lower; a double click puts it back"
+      title=${studioWords.heightTitle}
       @pointerdown=${this.hold} @pointermove=${this.pull} @keydown=${this.onBrimKey} @dblclick=${() => this.size(null)}></div>`;
   }
 
@@ -117,10 +110,9 @@ class Drawer extends StudioPart {
 
   private panel(tab: StudioTab): TemplateResult {
     const { editor } = this;
-    if (typeof this.loaded === 'string')
-      return html`<p class="studio-empty">The studio could not be loaded (${this.loaded}). Reload the page to try again.</p>`;
-    if (!this.loaded) return html`<p class="studio-empty">Opening the studio…</p>`;
-    if (!this.state.place) return html`<p class="studio-empty">The studio listens as soon as a tree stands.</p>`;
+    if (typeof this.loaded === 'string') return html`<p class="studio-empty">${studioWords.failed(this.loaded)}</p>`;
+    if (!this.loaded) return html`<p class="studio-empty">${studioWords.opening}</p>`;
+    if (!this.state.place) return html`<p class="studio-empty">${studioWords.noTree}</p>`;
     if (tab === 'plots') return html`<wg-studio-plots .editor=${editor}></wg-studio-plots>`;
     if (tab === 'field') return html`<wg-studio-field .editor=${editor}></wg-studio-field>`;
     if (tab === 'textures') return html`<wg-studio-textures .editor=${editor}></wg-studio-textures>`;
@@ -134,9 +126,9 @@ class Drawer extends StudioPart {
     const chosen = this.doc.probe !== null;
     return html`<p class="probe-place">${
       chosen
-        ? html`Probe at ${placeText(place)} <button type="button" class="text" @click=${() => this.editor.actions.setProbe(null)}>Put back</button>`
-        : html`Probe at ${placeText(place)}. <span class="soft">${this.session.narrow ? 'Tap another.' : 'Click a branch to move it.'}</span>`
-    }${catchingUp === null ? nothing : html` <span class="soft">Reading the past: ${Math.round(100 * catchingUp)}\u2009%</span>`}</p>`;
+        ? html`${studioWords.probeAt(placeText(place))} <button type="button" class="text" @click=${() => this.editor.actions.setProbe(null)}>${studioWords.putBack}</button>`
+        : html`${studioWords.probeAt(placeText(place))}. <span class="soft">${this.session.narrow ? studioWords.tapAnother : studioWords.clickAnother}</span>`
+    }${catchingUp === null ? nothing : html` <span class="soft">${studioWords.past(catchingUp)}</span>`}</p>`;
   }
 
   private tools(): TemplateResult {
@@ -144,7 +136,7 @@ class Drawer extends StudioPart {
     const { store } = this.studio;
     return html`<div class="studio-tools">${choice({
       name: 'span',
-      legend: 'Seconds shown',
+      legend: studioWords.span,
       quiet: true,
       value: String(span),
       options: SPANS.map((s) => ({ value: String(s), label: `${s}\u2009s` })),
@@ -152,8 +144,8 @@ class Drawer extends StudioPart {
     })}
     ${
       tab === 'plots'
-        ? html`<button type="button" class="quiet" aria-pressed=${frozen} title="The plots stand still; time goes on"
-            @click=${() => store.setState({ frozen: !frozen })}>${icon(frozen ? 'play' : 'pause')}<span>${frozen ? 'Plots held' : 'Hold plots'}</span></button>`
+        ? html`<button type="button" class="quiet" aria-pressed=${frozen} title=${studioWords.holdTitle}
+            @click=${() => store.setState({ frozen: !frozen })}>${icon(frozen ? 'play' : 'pause')}<span>${frozen ? studioWords.held : studioWords.hold}</span></button>`
         : nothing
     }</div>`;
   }

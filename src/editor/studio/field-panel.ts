@@ -3,6 +3,7 @@ import { createWindState, type WindState } from '../../core/wind/fade.ts';
 import { windForce } from '../../core/wind/force.ts';
 import { BEAUFORT, beaufortOf, speedOfForce } from '../../core/wind/speed.ts';
 import { choice } from '../ui/choice.ts';
+import { fieldWords } from '../words/studio-panels.ts';
 import { type Field, FieldMap, fieldColour, fillField } from './field-map.ts';
 import { onTheme, type PlotColours, plotColours } from './plot-colours.ts';
 import { StudioPart } from './studio-part.ts';
@@ -99,18 +100,18 @@ class FieldPanel extends StudioPart {
 
   protected override render(): TemplateResult {
     if (this.small)
-      return html`<figure class="plot-figure"><figcaption><h3>Field</h3> <span class="unit">${this.width}\u2009m</span>
+      return html`<figure class="plot-figure"><figcaption><h3>${fieldWords.title}</h3> <span class="unit">${this.width}\u2009m</span>
         <span class="key" id="field-reading"></span></figcaption>
-        <div class="field-map"><canvas role="img" aria-label="Map of the wind around the tree at the time that the plots mark, ${this.width} metres wide. The tab Field has it larger."></canvas></div></figure>`;
+        <div class="field-map"><canvas role="img" aria-label=${fieldWords.small(this.width)}></canvas></div></figure>`;
     return html`<div class="field-map">
-        <canvas tabindex="0" role="application" aria-label="Map of the wind around the tree, ${this.width} metres wide. Arrow keys move a cursor, Enter throws a gust there."
+        <canvas tabindex="0" role="application" aria-label=${fieldWords.map(this.width)}
           @click=${this.onClick} @pointermove=${this.onMove} @pointerleave=${this.onLeave} @keydown=${this.onKey} @blur=${this.onLeave}></canvas>
       </div>
       <div class="field-side">
         <p class="field-reading" aria-live="off" id="field-reading"></p>
         ${choice({
           name: 'field-width',
-          legend: 'Metres across',
+          legend: fieldWords.width,
           value: String(this.width),
           options: WIDTHS.map((w) => ({ value: String(w), label: `${w}\u2009m` })),
           onChoose: (value) => {
@@ -118,7 +119,7 @@ class FieldPanel extends StudioPart {
             this.again();
           },
         })}
-        <p class="soft">Click the map to throw a gust from there at the tree. The ring is the crown, the small ring the probe, the wedge where you stand.</p>
+        <p class="soft">${fieldWords.how}</p>
       </div>
       ${this.legend()}`;
   }
@@ -136,11 +137,11 @@ class FieldPanel extends StudioPart {
     const step = niceStep(this.most, 4);
     const ticks = Array.from({ length: Math.floor(this.most / step + 1e-6) + 1 }, (_, i) => i * step);
     const forces = BEAUFORT.filter(({ from }) => from < this.most);
-    return html`<figure class="field-legend" aria-label="Colours from 0 to ${threeDigits(this.most)} metres a second">
-      <figcaption>Beaufort above, metres a second below</figcaption>
+    return html`<figure class="field-legend" aria-label=${fieldWords.scale(threeDigits(this.most))}>
+      <figcaption>${fieldWords.scaleSays}</figcaption>
       <div class="beaufort" aria-hidden="true">${forces.map(({ number, name, from, to }) => {
         const share = (100 * (Math.min(to, this.most) - from)) / this.most;
-        return html`<span style="width: ${share.toFixed(2)}%" title="Beaufort ${number}, ${name}">${share > 7 ? number : ''}</span>`;
+        return html`<span style="width: ${share.toFixed(2)}%" title=${fieldWords.beaufort(number, name)}>${share > 7 ? number : ''}</span>`;
       })}</div>
       <div class="ramp" style="background: linear-gradient(to right, ${stops.join(', ')})"></div>
       <div class="ticks" aria-hidden="true">${ticks.map(
@@ -211,11 +212,11 @@ class FieldPanel extends StudioPart {
     const speed = speedOfForce(Math.hypot(fx, fy));
     const force = beaufortOf(speed);
     if (this.small) {
-      place.textContent = `${this.time.toFixed(2)}\u2009s: ${threeDigits(speed)}\u2009m/s at the tree`;
+      place.textContent = fieldWords.atTree(this.time, threeDigits(speed));
       return;
     }
-    const where = this.cursor ? `${x.toFixed(0)}\u2009m right, ${y.toFixed(0)}\u2009m away` : 'At the tree';
-    place.textContent = `${this.time.toFixed(1)}\u2009s. ${where}: ${threeDigits(speed)}\u2009m/s, ${force.name.toLowerCase()} (${force.number}).`;
+    const where = this.cursor ? fieldWords.place(x, y) : fieldWords.tree;
+    place.textContent = fieldWords.reading(this.time, where, threeDigits(speed), force.name, force.number);
   }
 
   private placeOf(event: MouseEvent): [number, number] {

@@ -9,10 +9,9 @@ export const sample = ({ colour, dash }: Pick<Line, 'colour' | 'dash'>): Templat
 /** A plot with its heading and its key; what it is of is drawn into `.plot` by what knows the numbers. */
 export const plotFigure = (
   id: string,
-  title: string,
+  [title, spoken]: readonly [title: string, spoken: string],
   unit: string,
   lines: readonly Line[],
-  spoken: string,
   tall = false,
 ): TemplateResult => html`<figure class="plot-figure ${id}" ?data-tall=${tall}>
     <figcaption><h3>${title}</h3> <span class="unit" id="${id}-unit" .textContent=${unit}></span>

@@ -1,13 +1,15 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from 'lit';
 import { PROBE_RATE, type ProbeHistory } from '../../core/wind/probe-history.ts';
 import { summarize } from '../../core/wind/probe-summary.ts';
+import { summaryText, trustText } from '../words/probe.ts';
+import { studioWords } from '../words/studio.ts';
+import { plotWords } from '../words/studio-panels.ts';
 import { csvOf, download, type NumberTable } from './csv.ts';
 import { spectrumTable, thinned, timeTable } from './plot-tables.ts';
 import type { PlotsPanel } from './plots-panel.ts';
 import { StudioPart } from './studio-part.ts';
 import type { StudioState } from './studio-state.ts';
 import { threeDigits } from './units.ts';
-import { summaryText, trustText } from './words.ts';
 
 /** Milliseconds between two summaries while time runs: a screen reader that is told of each is not talked over. */
 const RARELY = 20_000;
@@ -45,14 +47,14 @@ class PlotSummary extends StudioPart {
 
   protected override render(): TemplateResult {
     const { table } = this;
-    return html`<section class="plot-words" aria-label="Summary of the plots">
+    return html`<section class="plot-words" aria-label=${plotWords.summary}>
       <div class="buttons">
-        <button type="button" class="quiet" @click=${this.saveTime}>Download CSV</button>
-        <button type="button" class="quiet" @click=${this.saveSpectrum}>Spectrum as CSV</button>
+        <button type="button" class="quiet" @click=${this.saveTime}>${studioWords.csv}</button>
+        <button type="button" class="quiet" @click=${this.saveSpectrum}>${plotWords.spectrumCsv}</button>
         <button type="button" class="quiet" aria-expanded=${Boolean(table)} @click=${this.turnTable}>
-          ${table ? 'Close the table' : 'Data table'}</button>
+          ${table ? plotWords.closeTable : plotWords.table}</button>
       </div>
-      <p class="summary-text" aria-live="polite">${this.text || 'The probe is listening.'}</p>
+      <p class="summary-text" aria-live="polite">${this.text || plotWords.listening}</p>
       <p class="trust">${trustText(this.state.trust)}</p>
       ${table ? this.drawTable(table) : nothing}
     </section>`;
@@ -60,9 +62,9 @@ class PlotSummary extends StudioPart {
 
   private drawTable({ columns }: NumberTable): TemplateResult {
     const rows = columns[0]?.values.length ?? 0;
-    return html`<div class="data-table" tabindex="0" role="region" aria-label="Data of the plots">
-      <table><caption>Once a second, as it was when this table was opened. <button type="button" class="text"
-        @click=${() => this.fillTable()}>Take it anew</button></caption>
+    return html`<div class="data-table" tabindex="0" role="region" aria-label=${plotWords.data}>
+      <table><caption>${plotWords.caption} <button type="button" class="text"
+        @click=${() => this.fillTable()}>${plotWords.anew}</button></caption>
         <thead><tr>${columns.map((c) => html`<th scope="col">${c.name}</th>`)}</tr></thead>
         <tbody>${Array.from(
           { length: rows },

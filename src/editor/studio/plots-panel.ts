@@ -6,6 +6,7 @@ import { onTheme, plotColours } from './plot-colours.ts';
 import { nearest, type SpectrumData, spectrumData, type TimeData, timeData, windowOf } from './plot-data.ts';
 import { plotFigure } from './plot-figure.ts';
 import './plot-summary.ts';
+import { plotWords } from '../words/studio-panels.ts';
 import { SpectrumPlot } from './spectrum-plot.ts';
 import { StudioPart } from './studio-part.ts';
 import type { StudioState } from './studio-state.ts';
@@ -14,20 +15,20 @@ import { Turns } from './turns.ts';
 import { lengthUnit, niceRange, threeDigits } from './units.ts';
 
 const FORCE: readonly Line[] = [
-  { label: 'strength', colour: 'force', dash: [], area: true },
-  { label: 'across the wind', colour: 'force', dash: [4, 3] },
+  { label: plotWords.lines.strength, colour: 'force', dash: [], area: true },
+  { label: plotWords.lines.acrossWind, colour: 'force', dash: [4, 3] },
 ];
 const DISPLACEMENT: readonly Line[] = [
-  { label: 'along the wind', colour: 'answer', dash: [] },
-  { label: 'across', colour: 'answer', dash: [4, 3] },
+  { label: plotWords.lines.alongWind, colour: 'answer', dash: [] },
+  { label: plotWords.lines.across, colour: 'answer', dash: [4, 3] },
 ];
 const VELOCITY: readonly Line[] = [
-  { label: 'along the wind', colour: 'velocity', dash: [] },
-  { label: 'across', colour: 'velocity', dash: [4, 3] },
+  { label: plotWords.lines.alongWind, colour: 'velocity', dash: [] },
+  { label: plotWords.lines.across, colour: 'velocity', dash: [4, 3] },
 ];
 const SPECTRA: readonly Line[] = [
-  { label: 'force', colour: 'force', dash: [] },
-  { label: 'displacement', colour: 'answer', dash: [6, 3] },
+  { label: plotWords.lines.force, colour: 'force', dash: [] },
+  { label: plotWords.lines.displacement, colour: 'answer', dash: [6, 3] },
 ];
 
 /** Spectra change slowly, and cost the most. */
@@ -116,16 +117,16 @@ export class PlotsPanel extends StudioPart {
 
   protected override render(): TemplateResult {
     return html`
-      <div class="plots-time" role="group" aria-label="Over time">
-        ${plotFigure('force', 'Force', 'm/s', FORCE, 'Force of the wind at the probe over time; the summary says it in words')}
-        ${plotFigure('displacement', 'Displacement', 'm', DISPLACEMENT, 'Displacement of the branch over time')}
-        ${plotFigure('velocity', 'Velocity', 'm/s', VELOCITY, 'Velocity of the branch over time', true)}
-        <input type="range" class="mark-time" min="0" max="1" step="any" aria-label="Time marked in the plots"
+      <div class="plots-time" role="group" aria-label=${plotWords.group}>
+        ${plotFigure('force', plotWords.force, 'm/s', FORCE)}
+        ${plotFigure('displacement', plotWords.displacement, 'm', DISPLACEMENT)}
+        ${plotFigure('velocity', plotWords.velocity, 'm/s', VELOCITY, true)}
+        <input type="range" class="mark-time" min="0" max="1" step="any" aria-label=${plotWords.marked}
           @input=${this.onMark} @keydown=${this.onMarkKey} @blur=${() => this.point(null)}>
       </div>
       <div class="plots-rest">
-        ${plotFigure('spectrum', 'Spectrum', 'dB over Hz', SPECTRA, 'Spectra of force and displacement')}
-        ${plotFigure('phase', 'Phase portrait', '', [], 'Phase portrait: velocity against displacement along the wind, the newest place as a dot')}
+        ${plotFigure('spectrum', plotWords.spectrum, plotWords.spectrumUnit, SPECTRA)}
+        ${plotFigure('phase', plotWords.phase, '', [])}
       </div>
       ${this.roomy ? html`<wg-studio-field small .editor=${this.editor}></wg-studio-field>` : nothing}
       <wg-plot-summary .editor=${this.editor} .panel=${this}></wg-plot-summary>`;
@@ -269,7 +270,7 @@ export class PlotsPanel extends StudioPart {
       data.velocityAlong.map((each) => each * dv.factor),
       { x: niceRange(x[0] * dx.factor, x[1] * dx.factor, 0.1), y: niceRange(v[0] * dv.factor, v[1] * dv.factor, 0.1) },
     );
-    this.unit('phase', `${dv.unit}/s over ${dx.unit}`);
+    this.unit('phase', plotWords.phaseUnit(dv.unit, dx.unit));
   }
 
   private drawSpectrum({ spectrum }: Drawn): void {
@@ -331,8 +332,8 @@ export class PlotsPanel extends StudioPart {
     const input = event.target as HTMLInputElement;
     input.value = String((time - from) / (to - from));
     const at = this.data ? nearest(this.data.time, time) : -1;
-    const force = at < 0 ? '' : `, force ${threeDigits(this.data!.force[at]!)} metres a second`;
-    input.setAttribute('aria-valuetext', `${time.toFixed(2)} seconds${force}`);
+    const force = at < 0 ? null : threeDigits(this.data!.force[at]!);
+    input.setAttribute('aria-valuetext', plotWords.markedAt(time, force));
   }
 }
 

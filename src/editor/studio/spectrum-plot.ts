@@ -1,4 +1,5 @@
 import uPlot from 'uplot';
+import { plotWords } from '../words/studio-panels.ts';
 import type { PlotColours } from './plot-colours.ts';
 import { decibels, type SpectrumData } from './plot-data.ts';
 import { followPointer, NO_BINDINGS, PLOT_FONT } from './time-plot.ts';
@@ -49,8 +50,8 @@ export class SpectrumPlot {
         ],
         series: [
           {},
-          { label: 'Force', stroke: colours.force, width: 1.5, points: { show: false } },
-          { label: 'Displacement', stroke: colours.answer, width: 1.5, dash: [6, 3], points: { show: false } },
+          { stroke: colours.force, width: 1.5, points: { show: false } },
+          { stroke: colours.answer, width: 1.5, dash: [6, 3], points: { show: false } },
         ],
         hooks: { draw: [(u) => this.#drawNatural(u)] },
       },
@@ -102,7 +103,7 @@ export class SpectrumPlot {
     ctx.stroke();
     ctx.fillStyle = this.#colours.soft;
     ctx.font = PLOT_FONT.replace('11px', `${11 * ratio}px`);
-    const text = `own ${threeDigits(natural)} Hz`;
+    const text = plotWords.own(threeDigits(natural));
     const room = bbox.left + bbox.width - x > ctx.measureText(text).width + 6 * ratio;
     ctx.textAlign = room ? 'left' : 'right';
     ctx.textBaseline = 'top';

@@ -4,13 +4,14 @@ import { layerStart } from '../../core/pack/texel-array.ts';
 import { placeOfPiece } from '../../core/wind/probe-place.ts';
 import type { TextureImages, TextureLayer } from '../../view/picture/picture.ts';
 import { choice } from '../ui/choice.ts';
+import { placeText } from '../words/probe.ts';
+import { textureWords } from '../words/studio-panels.ts';
 import { onTheme, plotColours } from './plot-colours.ts';
 import { StudioPart } from './studio-part.ts';
 import type { StudioState } from './studio-state.ts';
 import { TexelCanvas } from './texel-canvas.ts';
 import { amounts, pieceAt, type TexelView, texelText, wordsOf } from './texel-image.ts';
 import { threeDigits } from './units.ts';
-import { placeText } from './words.ts';
 
 /** Milliseconds from one reading of the GPU's textures to the next, and from one look for the branch under the pointer to the next. */
 const READ_EVERY = 200;
@@ -69,14 +70,13 @@ class TexturesPanel extends StudioPart {
 
   protected override render(): TemplateResult {
     const { images } = this;
-    if (this.failed)
-      return html`<p class="studio-empty">There are no state textures to show: this picture is drawn without the GPU.</p>`;
-    if (!images) return html`<p class="studio-empty">Reading the textures back from the GPU…</p>`;
+    if (this.failed) return html`<p class="studio-empty">${textureWords.none}</p>`;
+    if (!images) return html`<p class="studio-empty">${textureWords.reading}</p>`;
     const layer = this.shown(images);
     return html`<div class="texel-side">
         ${choice({
           name: 'texture',
-          legend: 'Texture',
+          legend: textureWords.texture,
           value: layer.id,
           options: images.layers.map(({ id, label, unit }) => ({ value: id, label: id, title: `${label}, ${unit}` })),
           onChoose: (id) => {
@@ -86,20 +86,20 @@ class TexturesPanel extends StudioPart {
         <p class="soft">${layer.label}</p>
         ${choice({
           name: 'texel-view',
-          legend: 'Show',
+          legend: textureWords.show,
           value: this.view,
           options: [
             { value: 'much', label: wordsOf(layer.id).much },
-            { value: 'colours', label: 'x y z as colours' },
+            { value: 'colours', label: textureWords.colours },
           ],
           onChoose: (view) => {
             this.view = view;
           },
         })}
-        <p class="soft">${images.width} × ${images.height} texels, ${images.pieceCount} pieces, sorted by depth and then by parent.</p>
+        <p class="soft">${textureWords.size(images.width, images.height, images.pieceCount)}</p>
       </div>
       <div class="texel-image">
-        <canvas tabindex="0" role="application" aria-describedby="texel-values" aria-label="Texture ${layer.id}, a texel a piece. Arrow keys go from texel to texel, Enter puts the probe there."
+        <canvas tabindex="0" role="application" aria-describedby="texel-values" aria-label=${textureWords.image(layer.id)}
           @pointermove=${this.onMove} @pointerleave=${this.onLeave} @click=${this.onClick} @keydown=${this.onKey}></canvas>
       </div>
       ${this.values(images, layer)}`;
@@ -111,15 +111,15 @@ class TexturesPanel extends StudioPart {
     const piece = highlight !== null && highlight < images.pieceCount ? highlight : null;
     return html`<div class="texel-values" id="texel-values">${
       piece === null || !tree || !index
-        ? html`<p class="soft">Point at a texel: its branch lights up in the picture, and the other way round. A click puts the probe there.</p>`
-        : html`<p><strong>Piece ${piece}</strong> <span class="chip" data-level=${Math.min(3, index.level[piece]!)}></span> level ${index.level[piece]}<br>
+        ? html`<p class="soft">${textureWords.point}</p>`
+        : html`<p><strong>${textureWords.piece(piece)}</strong> <span class="chip" data-level=${Math.min(3, index.level[piece]!)}></span> ${textureWords.level(index.level[piece]!)}<br>
             <span class="soft">${placeText(placeOfPiece(tree, index, piece))}</span></p>
           <dl class="figures">${texelText(layer, piece).map(
             ({ name, value, unit }) =>
               html`<div><dt>${name}</dt><dd>${value}${unit ? html`<span class="unit">${unit}</span>` : nothing}</dd></div>`,
           )}</dl>`
     }
-      ${this.view === 'much' ? this.scale(images, layer) : html`<p class="soft">Red, green and blue are x, y and z between the least and the greatest of the tree.</p>`}
+      ${this.view === 'much' ? this.scale(images, layer) : html`<p class="soft">${textureWords.coloursSay}</p>`}
     </div>`;
   }
 
@@ -217,7 +217,7 @@ class TexturesPanel extends StudioPart {
     const next = Math.min(images.pieceCount - 1, Math.max(0, now + by));
     this.editor.actions.setHighlight(next);
     const { tree, index } = this.studio;
-    if (tree && index) this.editor.actions.say(`Piece ${next}, ${placeText(placeOfPiece(tree, index, next))}`);
+    if (tree && index) this.editor.actions.say(textureWords.said(next, placeText(placeOfPiece(tree, index, next))));
   }
 
   /** The branch under the pointer in the picture marks its texel. */

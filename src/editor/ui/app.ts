@@ -1,56 +1,78 @@
 import { html, nothing, type TemplateResult } from 'lit';
-import '../studio/drawer.ts';
+import { frameWords } from '../words/frame.ts';
 import './compare-layer.ts';
-import './grow-panel.ts';
-import './help.ts';
+import './dialogs.ts';
+import './embed.ts';
 import './notices.ts';
 import './sheet.ts';
-import './statistics.ts';
-import './time-bar.ts';
-import './view-panel.ts';
-import './wind-panel.ts';
+import './top-bar.ts';
 import { icon } from './icons.ts';
+import { loadPanels } from './load-panels.ts';
 import { Part } from './panel.ts';
+import { growWidth, panelEdge } from './panel-edge.ts';
 
 /** The whole interface over the picture: panels at the sides, or one sheet where the window is narrow. */
 class App extends Part {
+  private readonly onResize = (): void => this.requestUpdate();
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    window.addEventListener('resize', this.onResize);
+    if (!this.session.embed) loadPanels(this.editor);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    window.removeEventListener('resize', this.onResize);
+  }
+
   protected override render(): TemplateResult {
     const { editor } = this;
+    if (this.session.embed)
+      return html`<wg-compare .editor=${editor}></wg-compare>${this.messages()}<wg-embed .editor=${editor}></wg-embed>`;
     return html`<wg-compare .editor=${editor}></wg-compare>
-      ${this.session.narrow ? this.narrow() : this.wide()}
-      <section class="messages" aria-label="Messages"><wg-notices .editor=${editor}></wg-notices></section>
-      ${this.hint()}
-      <wg-help .editor=${editor}></wg-help>`;
+      <header class="top"><wg-top .editor=${editor}></wg-top></header>
+      ${this.session.narrow ? html`<wg-sheet .editor=${editor}></wg-sheet>` : this.wide()}
+      ${this.messages()}${this.hint()}
+      ${this.session.panels ? html`<wg-stem .editor=${editor}></wg-stem>` : nothing}
+      <wg-dialogs .editor=${editor}></wg-dialogs>`;
+  }
+
+  protected override updated(): void {
+    // Messages and the hint stand clear of the panel, however wide it was pulled.
+    this.style.setProperty('--grow', `${growWidth(this.editor)}px`);
+  }
+
+  private messages(): TemplateResult {
+    return html`<section class="messages" aria-label=${frameWords.messages}><wg-notices .editor=${this.editor}></wg-notices></section>`;
   }
 
   private hint(): TemplateResult | typeof nothing {
-    const { hint, throwing } = this.session;
+    const { hint, throwing, offer } = this.session;
+    const { actions } = this.editor;
     if (throwing)
-      return html`<section class="hint" aria-label="Throwing gusts"><p>Click the ground to throw a gust.
-        <button type="button" class="text" @click=${() => this.editor.actions.setThrowing(false)}>Stop <kbd>Esc</kbd></button></p></section>`;
+      return html`<section class="hint" aria-label=${frameWords.throwing}><p>${frameWords.throwHint}
+        <button type="button" class="text" @click=${() => actions.setThrowing(false)}>${frameWords.stop} <kbd>Esc</kbd></button></p></section>`;
     if (!hint) return nothing;
-    return html`<section class="hint" aria-label="Hint"><p>${hint}
-      <button type="button" class="text" @click=${() => this.editor.actions.hideHint()}>Got it</button></p></section>`;
-  }
-
-  private heading(): TemplateResult {
-    const { tree, growing } = this.session;
-    const name = tree?.species.name ?? growing?.name ?? 'Windgrove';
-    return html`<div class="title"><h1>${name}</h1>
-      <p>${tree ? html`<i lang="la">${tree.species.latin}</i> <span class="seed-read">no. ${tree.seed}</span>` : nothing}</p></div>`;
+    return html`<section class="hint" aria-label=${frameWords.hint}><p>${hint}
+      ${offer ? html`<button type="button" class="text" @click=${() => actions.openDialog('tour')}>${frameWords.showAround}</button>` : nothing}
+      <button type="button" class="text" @click=${() => actions.hideHint()}>${frameWords.gotIt}</button></p></section>`;
   }
 
   private wide(): TemplateResult {
     const { editor } = this;
     return html`
-      <header class="top">${this.heading()}<div class="tools paper"><wg-view .editor=${editor}></wg-view></div></header>
-      ${this.side('grow', 'What grows', html`<wg-grow .editor=${editor}></wg-grow><wg-statistics .editor=${editor}></wg-statistics>`)}
-      ${this.side('blow', 'What blows', html`<wg-wind .editor=${editor}></wg-wind>`)}
-      <footer class="bottom"><wg-studio .editor=${editor} class="paper"></wg-studio>
-        <div class="paper"><wg-time .editor=${editor}></wg-time></div></footer>`;
+      ${this.side('grow', frameWords.grows, html`<wg-grow .editor=${editor}></wg-grow><wg-statistics .editor=${editor}></wg-statistics>`)}
+      ${this.side('blow', frameWords.blows, html`<wg-wind .editor=${editor}></wg-wind>`)}
+      <footer class="bottom">${
+        this.session.panels
+          ? html`<wg-studio .editor=${editor} class="paper"></wg-studio>
+            <div class="paper"><wg-time .editor=${editor}></wg-time></div>`
+          : html`<div class="paper studio-place"></div><div class="paper time-place"></div>`
+      }</footer>`;
   }
 
-  private side(name: string, title: string, content: TemplateResult): TemplateResult {
+  private side(name: 'grow' | 'blow', title: string, content: TemplateResult): TemplateResult {
     const { folds } = this.editor.preferences;
     const open = folds[name] ?? true;
     const turn = (): void => {
@@ -60,20 +82,9 @@ class App extends Part {
     return html`<aside class="side paper ${name}" aria-labelledby="${name}-title" ?data-folded=${!open}>
       <h2 id="${name}-title"><button type="button" class="head" aria-expanded=${open} aria-controls="${name}-body" @click=${turn}>
         ${title}${icon('down')}</button></h2>
-      <div class="body" id="${name}-body" ?hidden=${!open}>${content}</div>
+      <div class="body" id="${name}-body" ?hidden=${!open}>${this.session.panels ? content : nothing}</div>
+      ${open && name === 'grow' ? panelEdge(this.editor, () => this.requestUpdate()) : nothing}
     </aside>`;
-  }
-
-  private narrow(): TemplateResult {
-    const { editor, doc } = this;
-    return html`<header class="top">${this.heading()}
-      <div class="buttons">
-        <button type="button" class="round" @click=${() => editor.actions.toggle()} aria-label=${doc.paused ? 'Play' : 'Pause'}>
-          ${icon(doc.paused ? 'play' : 'pause')}</button>
-        <button type="button" class="round" @click=${() => editor.actions.share()} aria-label="Copy link">${icon('link')}</button>
-        <button type="button" class="round" @click=${() => editor.actions.setHelp(true)} aria-label="Help">${icon('help')}</button>
-      </div></header>
-      <wg-sheet .editor=${editor}></wg-sheet>`;
   }
 }
 

@@ -1,4 +1,5 @@
 import { html, nothing, type TemplateResult } from 'lit';
+import { compareWords } from '../words/wind.ts';
 import { Part } from './panel.ts';
 
 /** Part of the width that an arrow key moves the line, and with Shift. */
@@ -18,15 +19,15 @@ class CompareLayer extends Part {
     const middle = `${insets.left}px + (100vw - ${insets.left + insets.right}px) / 2`;
     const at = side ? `calc(${middle})` : `${100 * compare.at}vw`;
     const per = Math.round(100 * compare.at);
-    return html`<section class="compared" aria-label="Two winds" style="top: ${insets.top}px; bottom: ${insets.bottom}px; --at: ${at}">
+    return html`<section class="compared" aria-label=${compareWords.two} style="top: ${insets.top}px; bottom: ${insets.bottom}px; --at: ${at}">
       <p class="side-name a" data-edited=${this.session.side === 'A'}><b>A</b> ${wind.name}</p>
       <p class="side-name b" data-edited=${this.session.side === 'B'}><b>B</b> ${compare.wind.name}</p>
       ${
         side
           ? nothing
-          : html`<span class="divider" role="slider" tabindex="0" aria-label="Line between A and B" aria-orientation="horizontal"
-            aria-valuemin="0" aria-valuemax="100" aria-valuenow=${per} aria-valuetext="A on ${per} per cent"
-            title="Drag, or use the arrow keys" @pointerdown=${this.hold} @pointermove=${this.pull}
+          : html`<span class="divider" role="slider" tabindex="0" aria-label=${compareWords.line} aria-orientation="horizontal"
+            aria-valuemin="0" aria-valuemax="100" aria-valuenow=${per} aria-valuetext=${compareWords.share(per)}
+            title=${compareWords.drag} @pointerdown=${this.hold} @pointermove=${this.pull}
             @keydown=${(e: KeyboardEvent) => this.onKey(e, compare.at)}>↔</span>`
       }
     </section>`;

@@ -1,4 +1,5 @@
 import { html, type TemplateResult } from 'lit';
+import { dialWords } from '../words/wind.ts';
 
 /** A direction over the ground as a compass that is turned: 0° points right, 90° up, which is away in the first view. */
 export interface Dial {
@@ -54,8 +55,8 @@ export function dial({ id, name, value, disabled = false, onInput }: Dial): Temp
     onInput(within(next));
   };
   return html`<span class="dial" id=${id} role="slider" tabindex=${disabled ? -1 : 0} aria-label=${name} aria-disabled=${disabled}
-    aria-valuemin="0" aria-valuemax="360" aria-valuenow=${value} aria-valuetext="${value} degrees"
-    title="${name}: ${value}°. Drag, or use the arrow keys" style="--turn: ${-value}deg"
+    aria-valuemin="0" aria-valuemax="360" aria-valuenow=${value} aria-valuetext=${dialWords.degrees(value)}
+    title=${dialWords.title(name, value)} style="--turn: ${-value}deg"
     @pointerdown=${start} @pointermove=${turnTo} @keydown=${onKey}><svg viewBox="0 0 32 32" aria-hidden="true">
     <circle cx="16" cy="16" r="13"></circle><path class="tick" d="M29 16h-3M16 3v3M3 16h3M16 29v-3"></path>
     <path class="hand" d="M7 16h16M18.5 11.5L23 16l-4.5 4.5"></path></svg></span>`;

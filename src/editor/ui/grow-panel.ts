@@ -1,23 +1,23 @@
 import { html, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
 import { ALL_LEVELS } from '../../core/link/link.ts';
 import { LINK_NUMBERS } from '../../core/link/numbers.ts';
+import { growWords } from '../words/grow.ts';
+import { treeWords } from '../words/tree.ts';
 import { choice, toggle } from './choice.ts';
 import { icon } from './icons.ts';
 import { Part } from './panel.ts';
+import { unlessTyping } from './unless-typing.ts';
+import './tree/tree-panel.ts';
 
-/** Names of the levels of a tree, as the switches say them: trunk, and what is drawn besides. */
-const levelNames = ['Trunk', 'Limbs', 'Branches', 'Twigs'];
-
-/** What grows: species, seed, levels. */
+/** What grows: species, seed, how far it is drawn, and every number of it. */
 class GrowPanel extends Part {
   protected override render(): TemplateResult {
-    return html`${this.species()}${this.seed()}${this.levels()}`;
+    return html`${this.species()}${this.seed()}${this.levels()}<wg-tree .editor=${this.editor}></wg-tree>`;
   }
 
   private species(): TemplateResult {
     const { doc, session, editor } = this;
-    const own = doc.ownSpecies === null ? null : (session.tree?.species.name ?? 'Your species');
+    const own = doc.ownSpecies === null ? null : (session.tree?.species.name ?? growWords.ownSpecies);
     const options = [
       ...session.species.map((s) => ({
         value: s.id,
@@ -25,17 +25,17 @@ class GrowPanel extends Part {
       })),
       ...(own === null
         ? []
-        : [{ value: '', label: html`<span class="name">${own}</span><i class="latin">your file</i>` }]),
+        : [{ value: '', label: html`<span class="name">${own}</span><i class="latin">${growWords.ownFile}</i>` }]),
     ];
-    return html`${choice({
+    return html`<div class="species-part">${choice({
       name: 'species',
-      legend: 'Species',
+      legend: growWords.species,
       value: own === null ? doc.species : '',
       options,
       onChoose: (id) => id && editor.actions.setSpecies(id),
     })}
-    <label class="button open-file">${icon('open')}<span>Open a species file…</span>
-      <input type="file" accept=".json,application/json" class="spoken" @change=${this.open}></label>`;
+    <label class="button open-file">${icon('open')}<span>${growWords.open}</span>
+      <input type="file" accept=".json,.xml,application/json,text/xml" class="spoken" @change=${this.open}></label></div>`;
   }
 
   private open(event: Event): void {
@@ -54,10 +54,10 @@ class GrowPanel extends Part {
       else box.value = String(doc.seed);
     };
     return html`<div class="seed">
-      <label for="seed" title="Same species, same seed: the same tree, everywhere">Seed</label>
-      <input type="number" id="seed" min=${min} max=${max} step="1" .value=${live(String(doc.seed))} @change=${typed}>
-      <button type="button" class="quiet" @click=${() => editor.actions.rollSeed()} title="Another tree (D)">
-        ${icon('dice')}<span>Another</span></button>
+      <label for="seed" title=${growWords.seedHint}>${growWords.seed}</label>
+      <input type="number" id="seed" min=${min} max=${max} step="1" .value=${unlessTyping(String(doc.seed))} @change=${typed}>
+      <button type="button" class="quiet" @click=${() => editor.actions.rollSeed()} title=${growWords.anotherHint}>
+        ${icon('dice')}<span>${growWords.another}</span></button>
     </div>`;
   }
 
@@ -66,23 +66,23 @@ class GrowPanel extends Part {
     const count = session.tree?.figures.levels ?? 3;
     const options = Array.from({ length: count }, (_, i) => ({
       value: String(i + 1),
-      label: html`<span class="chip" data-level=${Math.min(i, 3)}></span>${levelNames[i] ?? `Level ${i}`}`,
-      title: i === 0 ? 'Draw the trunk alone (1)' : `Draw level 0 to ${i} (${i + 1})`,
+      label: html`<span class="chip" data-level=${Math.min(i, 3)}></span>${treeWords.levels[i] ?? growWords.level(i)}`,
+      title: growWords.drawHint(i),
     }));
     const shown = Math.min(doc.levelsShown, count);
     return html`<div class="part">${choice({
       name: 'levels',
-      legend: 'Draw as far as',
+      legend: growWords.draw,
       value: String(shown),
       options,
       onChoose: (value) => editor.actions.setLevels(Number(value) >= count ? ALL_LEVELS : Number(value)),
     })}
     ${toggle(
       'leaves',
-      shown < count ? 'Leaves: with all levels' : 'Leaves',
+      shown < count ? growWords.leavesWithAll : growWords.leaves,
       doc.showLeaves,
       (on) => editor.actions.setShowLeaves(on),
-      { title: 'Draw the leaves (L)', disabled: shown < count },
+      { title: growWords.leavesHint, disabled: shown < count },
     )}</div>`;
   }
 }

@@ -2,6 +2,7 @@ import { html, type TemplateResult } from 'lit';
 import { speedOfForce } from '../../core/wind/speed.ts';
 import type { Gust } from '../../core/wind/wind.ts';
 import type { Editor } from '../editor.ts';
+import { gustWords } from '../words/wind.ts';
 
 /** Seconds that an arrow key moves a gust. */
 const NUDGE = 0.1;
@@ -14,9 +15,9 @@ export function gustMarks(editor: Editor, gusts: readonly Gust[], start: number,
     const at = (gust.start - start) / seconds;
     if (at < 0 || at >= 1) return '';
     const long = Math.min(1 - at, (gust.rise + gust.fall) / seconds);
-    const words = `Gust ${i + 1}, ${speedOfForce(gust.amplitude).toFixed(0)} metres a second, at ${gust.start.toFixed(1)} seconds`;
-    return html`<button type="button" class="gust-mark" style="left: ${(100 * at).toFixed(3)}%; --long: ${(100 * long).toFixed(2)}cqw"
-      aria-pressed=${i === chosen} aria-label="${words}; Delete removes it" title="${words}. Drag to move, Delete to remove"
+    const mark = gustWords.mark(i + 1, speedOfForce(gust.amplitude), gust.start);
+    return html`<button type="button" class="gust-mark" data-drag style="left: ${(100 * at).toFixed(3)}%; --long: ${(100 * long).toFixed(2)}cqw"
+      aria-pressed=${i === chosen} aria-label=${gustWords.markSpoken(mark)} title=${gustWords.markTitle(mark)}
       @click=${() => actions.chooseGust(i === chosen ? null : i)} @keydown=${(e: KeyboardEvent) => onKey(e, i, gust)}
       @pointerdown=${(e: PointerEvent) => onPull(e, i)}></button>`;
   })}</div>`;

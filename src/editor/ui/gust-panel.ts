@@ -3,6 +3,8 @@ import { shownGustNumber } from '../../core/link/waves.ts';
 import { GUST_NUMBERS } from '../../core/link/wind-numbers.ts';
 import { forceOfSpeed, speedOfForce } from '../../core/wind/speed.ts';
 import { type Gust, MOST_GUSTS } from '../../core/wind/wind.ts';
+import { withKeys } from '../shortcuts.ts';
+import { gustWords } from '../words/wind.ts';
 import { dial } from './dial.ts';
 import { icon } from './icons.ts';
 import { numberField } from './number-field.ts';
@@ -17,21 +19,21 @@ class GustPanel extends Part {
     const { actions } = this.editor;
     const { gusts } = actions.edited().wind;
     const { throwing } = this.session;
-    return html`<p class="soft">A gust is a front that crosses the meadow, once or every so often.</p>
+    return html`<p class="soft">${gustWords.about}</p>
       <div class="buttons">
-        <button type="button" class="quiet" title="From upwind, now (G)" @click=${() => actions.throwGust()}>${icon('gust')}<span>Throw a gust</span></button>
-        <button type="button" class="quiet" aria-pressed=${throwing} title="Each click on the ground throws one (T)"
-          @click=${() => actions.setThrowing(!throwing)}>${icon('aim')}<span>${throwing ? 'Stop aiming' : 'Aim'}</span></button>
+        <button type="button" class="quiet" title=${withKeys('gust', gustWords.throwTitle)} @click=${() => actions.throwGust()}>${icon('gust')}<span>${gustWords.throw}</span></button>
+        <button type="button" class="quiet" aria-pressed=${throwing} title=${withKeys('aim', gustWords.aimTitle)}
+          @click=${() => actions.setThrowing(!throwing)}>${icon('aim')}<span>${throwing ? gustWords.stopAiming : gustWords.aim}</span></button>
       </div>
       <ul class="gusts">${gusts.map((gust, i) => this.row(gust, i))}</ul>
-      ${gusts.length > 1 ? html`<button type="button" class="text" @click=${() => actions.removeGusts()}>Remove all</button>` : ''}
-      ${gusts.length >= MOST_GUSTS ? html`<p class="soft">Sixteen is all: one more takes the place of the oldest.</p>` : ''}`;
+      ${gusts.length > 1 ? html`<button type="button" class="text" @click=${() => actions.removeGusts()}>${gustWords.removeAll}</button>` : ''}
+      ${gusts.length >= MOST_GUSTS ? html`<p class="soft">${gustWords.most}</p>` : ''}`;
   }
 
   private row(gust: Gust, index: number): TemplateResult {
     const { actions } = this.editor;
     const open = this.session.gust === index;
-    const name = `Gust ${index + 1}`;
+    const name = gustWords.gust(index + 1);
     const id = `gust-${index + 1}`;
     return html`<li class="gust" ?data-open=${open}>
       <div class="gust-head">
@@ -40,11 +42,11 @@ class GustPanel extends Part {
           <span class="soft">${gust.start.toFixed(1)} s, ${speedOfForce(gust.amplitude).toFixed(1)} m/s</span></button>
         ${dial({
           id: `${id}-dial`,
-          name: `${name} direction, dial`,
+          name: gustWords.dial(name),
           value: Math.round(shownGustNumber(gust, DIRECTION)),
           onInput: (value) => actions.setGustNumber(index, DIRECTION, value),
         })}
-        <button type="button" class="round" aria-label="Remove gust ${index + 1}" title="Remove" @click=${() => actions.removeGust(index)}>${icon('bin')}</button>
+        <button type="button" class="round" aria-label=${gustWords.removeGust(index + 1)} title=${gustWords.remove} @click=${() => actions.removeGust(index)}>${icon('bin')}</button>
       </div>
       <div id="${id}-more" ?hidden=${!open}>${
         open
@@ -52,7 +54,7 @@ class GustPanel extends Part {
               numberField({
                 id: `${id}-${n.key}`,
                 label: capital(n.label),
-                name: `${name} ${n.label}`,
+                name: gustWords.of(name, n.label),
                 unit: n.unit,
                 value: shownGustNumber(gust, n),
                 min: n.min,

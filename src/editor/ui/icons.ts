@@ -27,12 +27,28 @@ const paths = {
   copy: 'M5.5 5.5v-3h8v8h-3M2.5 5.5h8v8h-8z',
   bin: 'M3 4.5h10M6.5 4.5v-2h3v2M4.5 4.5l.5 9h6l.5-9',
   save: 'M8 2v8M5 7.5l3 3 3-3M2.5 13.5h11',
+  undo: 'M6 3L2.5 6.5 6 10M3 6.5h6.5a3.5 3.5 0 010 7H7',
+  redo: 'M10 3l3.5 3.5L10 10M13 6.5H6.5a3.5 3.5 0 000 7H9',
+  history: 'M3 3.5V6h2.5M3.3 6A5.2 5.2 0 118 13.2 5.2 5.2 0 013 9.6M8 5.5V8.3l2 1.4',
+  share: 'M8 9.5v-8M5 4.2l3-2.7 3 2.7M4.5 7H3v7h10V7h-1.5',
+  export: 'M2.5 9.5v4h11v-4M8 10V2M4.8 5.2L8 2l3.2 3.2',
+  many: 'M2.5 2.5h4.5v4.5H2.5zM9 2.5h4.5v4.5H9zM2.5 9h4.5v4.5H2.5zM11.2 9v4.5M9 11.2h4.5',
+  find: 'M7 2.5a4.5 4.5 0 100 9 4.5 4.5 0 000-9M10.3 10.3l3.2 3.2',
+  more: 'M2.5 8a1 1 0 102 0 1 1 0 10-2 0M7 8a1 1 0 102 0 1 1 0 10-2 0M11.5 8a1 1 0 102 0 1 1 0 10-2 0',
+  code: 'M5 4.5L1.5 8 5 11.5M11 4.5L14.5 8 11 11.5',
+  walk: 'M8 2v12M8 3.5h4.5l1.5 1.6-1.5 1.6H8M8 8H4L2.5 9.6 4 11.2h4',
+  reset: 'M3 3v3.5h3.5M3.4 6.5A5 5 0 118 13a5 5 0 01-4.4-2.6',
+  eye: 'M1.5 8S4 3.5 8 3.5 14.5 8 14.5 8 12 12.5 8 12.5 1.5 8 1.5 8zM8 6a2 2 0 100 4 2 2 0 000-4',
+  lock: 'M4 7.5h8v6H4zM5.5 7.5V5a2.5 2.5 0 015 0v2.5',
+  unlock: 'M4 7.5h8v6H4zM5.5 7.5V5a2.5 2.5 0 014.8-1',
+  columns: 'M2.5 3h11v10h-11zM6.2 3v10M9.8 3v10',
+  probe: 'M8 1.5v6M8 7.5a3 3 0 100 6 3 3 0 000-6M8 10.5h.01',
   paste: 'M5.5 3.5h-2v10h9v-10h-2M5.5 2.5h5v2.5h-5z',
 } as const;
 
 export type Icon = keyof typeof paths;
 
-const filled: ReadonlySet<Icon> = new Set(['play']);
+const filled: ReadonlySet<Icon> = new Set(['play', 'more']);
 
 /** An icon that screen readers pass over. */
 export const icon = (name: Icon): TemplateResult => html`<svg class="icon" viewBox="0 0 16 16" aria-hidden="true"

@@ -1,18 +1,13 @@
 import { html, type TemplateResult } from 'lit';
 import { type LoopedWind, loopPeriod } from '../../core/wind/loop.ts';
 import type { Wind } from '../../core/wind/wind.ts';
+import { loopWords } from '../words/time.ts';
 import { icon } from './icons.ts';
 import { Part } from './panel.ts';
 
 /** Seconds that a loop may take. */
 const LEAST = 1;
 const MOST = 600;
-
-const GAPS = {
-  gusts: 'there are more gusts than a loop can hold',
-  record: 'the measured wind is longer than the loop',
-  sway: 'the model sway has a period of its own, 4096 s',
-} as const;
 
 /** Makes the wind come around every so many seconds, for a film without a seam. */
 class LoopMaker extends Part {
@@ -21,13 +16,13 @@ class LoopMaker extends Part {
   private looked: { readonly wind: Wind; readonly period: number | null } | null = null;
 
   protected override render(): TemplateResult {
-    return html`<button type="button" class="quiet" popovertarget="loop-maker" title="Make the wind come around every so many seconds">
-        ${icon('loop')}<span>Loop</span></button>
-      <div popover id="loop-maker" class="pop paper" role="group" aria-label="Loop" @toggle=${() => this.requestUpdate()}>
-        <form @submit=${this.make}><label for="loop-seconds">Make it loop every</label>
+    return html`<button type="button" class="quiet" popovertarget="loop-maker" title=${loopWords.title}>
+        ${icon('loop')}<span>${loopWords.loop}</span></button>
+      <div popover id="loop-maker" class="pop paper" role="group" aria-label=${loopWords.loop} @toggle=${() => this.requestUpdate()}>
+        <form @submit=${this.make}><label for="loop-seconds">${loopWords.every}</label>
           <span class="amount"><input type="number" id="loop-seconds" min=${LEAST} max=${MOST} step="any" required .value=${String(this.seconds)}
             @change=${this.typed}><span class="unit">s</span></span>
-          <button type="submit" class="button">Make loop</button></form>
+          <button type="submit" class="button">${loopWords.make}</button></form>
         <p class="soft" role="status">${this.words()}</p>
       </div>`;
   }
@@ -36,20 +31,14 @@ class LoopMaker extends Part {
     const { wind } = this.editor.actions.edited();
     if (this.made?.wind === wind) {
       const { change, open } = this.made.looped;
-      const much = `Done: no wave became more than ${(100 * change).toFixed(change < 0.1 ? 1 : 0)} % faster or slower.`;
-      return [much, ...open.map((gap) => `It has a seam: ${GAPS[gap]}.`)].join(' ');
+      return [loopWords.done(change), ...open.map((gap) => loopWords.seam[gap])].join(' ');
     }
     // Looking for a period takes a moment: only who asks for it pays.
     if (!this.querySelector('[popover]')?.matches(':popover-open')) return '';
     if (this.looked?.wind !== wind) this.looked = { wind, period: loopPeriod(wind) };
     const { period } = this.looked;
-    const now =
-      period === null
-        ? 'Now it does not come around within ten minutes.'
-        : period === 0
-          ? 'Now nothing in it moves.'
-          : `Now it comes around every ${period.toFixed(2)} s.`;
-    return `${now} Each wave’s speed is nudged until it makes whole turns; its crests stay where they are.`;
+    const now = period === null ? loopWords.never : period === 0 ? loopWords.still : loopWords.now(period);
+    return `${now} ${loopWords.how}`;
   }
 
   private typed(event: Event): void {

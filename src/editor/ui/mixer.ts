@@ -1,5 +1,6 @@
 import { html, type PropertyValues, type TemplateResult } from 'lit';
 import { blowingWaves, MOST_WAVES, type Wave, type Wind } from '../../core/wind/wind.ts';
+import { mixerWords } from '../words/wind-panel.ts';
 import { icon } from './icons.ts';
 import { Part } from './panel.ts';
 import { drawTrace, type TraceColours } from './trace.ts';
@@ -59,9 +60,9 @@ class Mixer extends Part {
         onMove: (to) => this.move(index, to),
       }),
     )}</div>
-    ${wind.waves.length === 0 ? html`<p class="soft empty">No waves: only gusts and measured winds blow.</p>` : ''}
-    <button type="button" class="quiet add" ?disabled=${most} @click=${() => this.add()}>${icon('plus')}<span>Add a wave</span></button>
-    ${most ? html`<span class="soft">Eight is all.</span>` : ''}`;
+    ${wind.waves.length === 0 ? html`<p class="soft empty">${mixerWords.none}</p>` : ''}
+    <button type="button" class="quiet add" ?disabled=${most} @click=${() => this.add()}>${icon('plus')}<span>${mixerWords.add}</span></button>
+    ${most ? html`<span class="soft">${mixerWords.most}</span>` : ''}`;
   }
 
   protected override updated(changes: PropertyValues): void {

@@ -1,66 +1,49 @@
 import { html, type TemplateResult } from 'lit';
 import { WIND_NUMBERS } from '../../core/link/wind-numbers.ts';
 import { type BendModelName, STILL, type Wind } from '../../core/wind/wind.ts';
+import { modelWords } from '../words/wind-panel.ts';
 import { choice, toggle } from './choice.ts';
 import { fold } from './fold.ts';
 import { Part } from './panel.ts';
 import { ruleField } from './rule-field.ts';
 
-/** What each model does, and where it is from. */
-const MODELS: readonly { value: BendModelName; label: string; does: string; from: string }[] = [
-  {
-    value: 'direct',
-    label: 'Direct',
-    does: 'Branches bend as far as the wind pushes at this moment; nothing swings on.',
-    from: 'Skjermo 2007, equations 16 and 17',
-  },
-  {
-    value: 'spring',
-    label: 'Spring',
-    does: 'Each branch swings about where the wind pushes it, as fast as its wood lets it, and shakes what grows on it.',
-    from: 'ours: a damped oscillator a branch, its frequency that of a cantilever',
-  },
-  {
-    value: 'sway',
-    label: 'Sway',
-    does: 'Each stem swings by two sines of its own; the waves do not matter, only how strong the wind is.',
-    from: 'Weber & Penn 1995, section 4.7',
-  },
-];
-
-const LEVELS = ['Trunk', 'Limbs', 'Branches', 'Twigs'];
+const MODELS: readonly BendModelName[] = ['direct', 'spring', 'sway'];
 
 /** What the wind does to a branch: the model, its settings, how branches follow their parents. */
 class ModelPanel extends Part {
   protected override render(): TemplateResult {
     const { actions } = this.editor;
     const { wind } = actions.edited();
-    const model = MODELS.find((m) => m.value === wind.model)!;
+    const model = modelWords.models[wind.model];
     return html`${choice({
       name: 'model',
-      legend: 'Model',
+      legend: modelWords.model,
       quiet: true,
       value: wind.model,
-      options: MODELS.map(({ value, label, does }) => ({ value, label, title: does })),
+      options: MODELS.map((value) => ({
+        value,
+        label: modelWords.models[value].label,
+        title: modelWords.models[value].does,
+      })),
       onChoose: (value) => actions.setModel(value),
     })}
-    <p class="says">${model.does} <span class="soft">From: ${model.from}.</span></p>
+    <p class="says">${model.does} <span class="soft">${model.from}</span></p>
     ${wind.model === 'spring' ? this.spring(wind) : wind.model === 'sway' ? this.sway(wind) : ''}
     ${ruleField(WIND_NUMBERS.stiffness, {
       id: 'stiffness',
-      label: 'Stiffness',
-      name: 'Stiffness of the tree',
+      label: modelWords.stiffness,
+      name: modelWords.stiffnessName,
       value: wind.stiffness,
       reset: 1,
       onInput: (value) => actions.setStiffness(value),
     })}
     ${choice({
       name: 'pose',
-      legend: 'Branches follow their parents',
+      legend: modelWords.pose,
       value: wind.pose,
       options: [
-        { value: 'exact', label: 'At once', title: 'Depth by depth: no lag' },
-        { value: 'lagged', label: 'One step late', title: 'All at once, parents from the last step, as in the paper' },
+        { value: 'exact', label: modelWords.exact, title: modelWords.exactTitle },
+        { value: 'lagged', label: modelWords.lagged, title: modelWords.laggedTitle },
       ],
       onChoose: (pose) => actions.setPose(pose),
     })}`;
@@ -72,49 +55,49 @@ class ModelPanel extends Part {
     return html`
       ${ruleField(WIND_NUMBERS.frequency, {
         id: 'spring-frequency',
-        label: 'Frequency',
-        name: 'Factor on the natural frequencies',
+        label: modelWords.frequency,
+        name: modelWords.frequencyName,
         value: spring.frequency,
         reset: still.frequency,
         onInput: (frequency) => actions.setSpring({ frequency }),
       })}
       ${ruleField(WIND_NUMBERS.damping, {
         id: 'spring-damping',
-        label: 'Damping',
-        name: 'Damping ratio',
+        label: modelWords.damping,
+        name: modelWords.dampingName,
         value: spring.damping,
         reset: still.damping,
         onInput: (damping) => actions.setSpring({ damping }),
       })}
       ${ruleField(WIND_NUMBERS.inertia, {
         id: 'spring-inertia',
-        label: 'Inertia',
-        name: 'Inertia: how much of its parent shakes a branch',
+        label: modelWords.inertia,
+        name: modelWords.inertiaName,
         value: spring.inertia,
         reset: still.inertia,
         onInput: (inertia) => actions.setSpring({ inertia }),
       })}
-      ${fold(this.editor, 'spring-levels', 'Level by level', this.levels(spring))}`;
+      ${fold(this.editor, 'spring-levels', modelWords.byLevel, this.levels(spring))}`;
   }
 
   private levels(spring: Wind['spring']): TemplateResult {
     const { actions } = this.editor;
-    return html`<p class="soft">A frequency and a damping of its own for a level, in place of what its wood gives.</p>
-      ${LEVELS.map((name, i) => {
+    return html`<p class="soft">${modelWords.byLevelSays}</p>
+      ${modelWords.levels.map((name, i) => {
         const level = spring.levels[i];
         const frequency = level?.frequency ?? null;
         const damping = level?.damping ?? null;
         return html`<div class="level"><span class="chip" data-level=${i}></span><span class="level-name">${name}</span>
-          ${toggle(`level-${i}-hz`, 'Hz', frequency !== null, (on) => actions.setSpringLevel(i, { frequency: on ? 1 : null }), { name: `${name}: frequency of its own` })}
-          ${toggle(`level-${i}-zeta`, 'ζ', damping !== null, (on) => actions.setSpringLevel(i, { damping: on ? spring.damping : null }), { name: `${name}: damping of its own` })}
+          ${toggle(`level-${i}-hz`, 'Hz', frequency !== null, (on) => actions.setSpringLevel(i, { frequency: on ? 1 : null }), { name: modelWords.ownFrequency(name) })}
+          ${toggle(`level-${i}-zeta`, 'ζ', damping !== null, (on) => actions.setSpringLevel(i, { damping: on ? spring.damping : null }), { name: modelWords.ownDamping(name) })}
         </div>
         ${
           frequency === null
             ? ''
             : ruleField(WIND_NUMBERS.hertz, {
                 id: `level-${i}-frequency`,
-                label: 'Frequency',
-                name: `${name} frequency`,
+                label: modelWords.frequency,
+                name: modelWords.levelFrequency(name),
                 value: frequency,
                 onInput: (value) => actions.setSpringLevel(i, { frequency: value }),
               })
@@ -124,8 +107,8 @@ class ModelPanel extends Part {
             ? ''
             : ruleField(WIND_NUMBERS.damping, {
                 id: `level-${i}-damping`,
-                label: 'Damping',
-                name: `${name} damping`,
+                label: modelWords.damping,
+                name: modelWords.levelDamping(name),
                 value: damping,
                 onInput: (value) => actions.setSpringLevel(i, { damping: value }),
               })
@@ -139,32 +122,32 @@ class ModelPanel extends Part {
     return html`
       ${ruleField(WIND_NUMBERS.swaySpeed, {
         id: 'sway-speed',
-        label: 'Wind speed',
+        label: modelWords.windSpeed,
         value: sway.speed,
         reset: still.speed,
         onInput: (speed) => actions.setSway({ speed }),
       })}
       ${ruleField(WIND_NUMBERS.swayGust, {
         id: 'sway-gust',
-        label: 'Wind gust',
+        label: modelWords.windGust,
         value: sway.gust,
         reset: still.gust,
         onInput: (gust) => actions.setSway({ gust }),
       })}
       ${choice({
         name: 'reading',
-        legend: 'Frequency goes by',
+        legend: modelWords.reading,
         value: sway.reading,
         options: [
-          { value: 'ratio', label: 'Radius / length', title: 'As the paper prints it' },
-          { value: 'cantilever', label: 'Radius / length²', title: 'As a beam that is held at one end swings' },
+          { value: 'ratio', label: modelWords.ratio, title: modelWords.ratioTitle },
+          { value: 'cantilever', label: modelWords.cantilever, title: modelWords.cantileverTitle },
         ],
         onChoose: (reading) => actions.setSway({ reading }),
       })}
       ${ruleField(WIND_NUMBERS.rate, {
         id: 'sway-rate',
-        label: 'Rate',
-        name: 'Rate of the swings',
+        label: modelWords.rate,
+        name: modelWords.rateName,
         value: sway.rate,
         reset: still.rate,
         onInput: (rate) => actions.setSway({ rate }),

@@ -1,9 +1,7 @@
 import { html, type TemplateResult } from 'lit';
-import { DETENTS, type Detent, PANELS, type Panel } from '../session.ts';
+import { DETENTS, PANELS, type Panel } from '../session.ts';
+import { frameWords } from '../words/frame.ts';
 import { Part } from './panel.ts';
-
-const tabNames: Record<Panel, string> = { grow: 'Grow', wind: 'Wind', studio: 'Studio', time: 'Time', view: 'View' };
-const heights: Record<Detent, string> = { bar: 'closed', third: 'a third', 'two-thirds': 'two thirds', all: 'all' };
 
 /** The sheet at the foot of a narrow window: pulled by its handle to a third, two thirds or all of the height. */
 class Sheet extends Part {
@@ -11,15 +9,15 @@ class Sheet extends Part {
 
   protected override render(): TemplateResult {
     const { detent, tab } = this.session;
-    return html`<section class="sheet paper" data-detent=${detent} aria-label="Controls"
+    return html`<section class="sheet paper" data-detent=${detent} aria-label=${frameWords.controls}
       @pointerdown=${hold} @keydown=${(e: KeyboardEvent) => this.onTabKey(e)}>
-      <button type="button" class="handle" aria-label="Height of the controls: ${heights[detent]}"
+      <button type="button" class="handle" aria-label=${frameWords.sheetHeight(frameWords.heights[detent])}
         @click=${() => this.cycle()} @keydown=${(e: KeyboardEvent) => this.onHandleKey(e)}
         @pointerdown=${(e: PointerEvent) => this.start(e)} @pointermove=${(e: PointerEvent) => this.move(e)}
         @pointerup=${(e: PointerEvent) => this.end(e)} @pointercancel=${() => this.cancel()}></button>
-      <div role="tablist" aria-label="Controls">${PANELS.map(
+      <div role="tablist" aria-label=${frameWords.controls}>${PANELS.map(
         (p) => html`<button type="button" role="tab" id="tab-${p}" aria-controls="tab-panel" aria-selected=${p === tab}
-          tabindex=${p === tab ? 0 : -1} @click=${() => this.choose(p)}>${tabNames[p]}</button>`,
+          tabindex=${p === tab ? 0 : -1} @click=${() => this.choose(p)}>${frameWords.tabs[p]}</button>`,
       )}</div>
       <div role="tabpanel" id="tab-panel" aria-labelledby="tab-${tab}" tabindex="-1">${this.panel(tab)}</div>
     </section>`;
@@ -27,6 +25,7 @@ class Sheet extends Part {
 
   private panel(tab: Panel): TemplateResult {
     const { editor } = this;
+    if (!this.session.panels) return html``;
     if (tab === 'grow') return html`<wg-grow .editor=${editor}></wg-grow>`;
     if (tab === 'wind') return html`<wg-wind .editor=${editor}></wg-wind>`;
     if (tab === 'studio') return html`<wg-studio .editor=${editor}></wg-studio>`;

@@ -1,4 +1,5 @@
 import { html, type TemplateResult } from 'lit';
+import { statisticsWords as words } from '../words/time.ts';
 import { fold } from './fold.ts';
 import { Part } from './panel.ts';
 
@@ -11,21 +12,21 @@ class Statistics extends Part {
   protected override render(): TemplateResult {
     const { tree, frames } = this.session;
     const rows: readonly (readonly [string, string, string?])[] = [
-      ['Height', tree ? tree.figures.height.toFixed(1) : '–', 'm'],
-      ['Stems', tree ? count(tree.figures.stems) : '–'],
-      ['Pieces', tree ? count(tree.figures.pieces) : '–'],
-      ['Leaves', tree ? count(tree.figures.leaves) : '–'],
-      ['Triangles', frames ? count(frames.triangles) : '–'],
-      ['Draw calls', frames ? count(frames.drawCalls) : '–'],
-      ['Grow', milliseconds(tree?.figures.grow), 'ms'],
-      ['Wind pass', milliseconds(frames?.wind), 'ms'],
-      ['Frame', milliseconds(frames?.interval || frames?.draw), 'ms'],
+      [words.height, tree ? tree.figures.height.toFixed(1) : '–', 'm'],
+      [words.stems, tree ? count(tree.figures.stems) : '–'],
+      [words.pieces, tree ? count(tree.figures.pieces) : '–'],
+      [words.leaves, tree ? count(tree.figures.leaves) : '–'],
+      [words.triangles, frames ? count(frames.triangles) : '–'],
+      [words.drawCalls, frames ? count(frames.drawCalls) : '–'],
+      [words.grow, milliseconds(tree?.figures.grow), 'ms'],
+      [words.wind, milliseconds(frames?.wind), 'ms'],
+      [words.frame, milliseconds(frames?.interval || frames?.draw), 'ms'],
     ];
     const table = html`<dl class="figures">${rows.map(
       ([name, value, unit]) =>
         html`<div><dt>${name}</dt><dd>${value}${unit ? html`<span class="unit">${unit}</span>` : ''}</dd></div>`,
     )}</dl>`;
-    return fold(this.editor, 'statistics', 'Statistics', table);
+    return fold(this.editor, 'statistics', words.title, table);
   }
 }
 

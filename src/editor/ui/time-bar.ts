@@ -4,6 +4,9 @@ import type { Wind } from '../../core/wind/wind.ts';
 import { gustMarks } from './gust-marks.ts';
 import { icon } from './icons.ts';
 import './loop-maker.ts';
+import { withKeys } from '../shortcuts.ts';
+import { timeWords } from '../words/time.ts';
+import { gustWords } from '../words/wind.ts';
 import { numberField } from './number-field.ts';
 import { Part } from './panel.ts';
 import { waveform } from './waveform.ts';
@@ -34,7 +37,7 @@ class TimeBar extends Part {
     return html`${this.transport()}
       <div class="ruler">
         ${this.wave()}
-        <input type="range" id="scrub" aria-label="Time" min=${this.page * PAGE} max=${(this.page + 1) * PAGE} step="any"
+        <input type="range" id="scrub" aria-label=${timeWords.time} min=${this.page * PAGE} max=${(this.page + 1) * PAGE} step="any"
           @input=${(e: Event) => editor.actions.seek((e.target as HTMLInputElement).valueAsNumber)}
           @keydown=${(e: KeyboardEvent) => this.nudge(e)}>
         ${gustMarks(editor, editor.actions.edited().wind.gusts, this.page * PAGE, PAGE)}
@@ -43,12 +46,12 @@ class TimeBar extends Part {
         )}</div>
         ${this.catchingUp()}
       </div>
-      <span class="amount clock"><input type="number" id="time" aria-label="Time, seconds" min="0" max=${LINK_NUMBERS.t.max}
+      <span class="amount clock"><input type="number" id="time" aria-label=${timeWords.timeNumber} min="0" max=${LINK_NUMBERS.t.max}
         step="any" @change=${(e: Event) => this.typed(e)}><span class="unit" aria-hidden="true">s</span></span>
       ${this.rate()}
       <div class="buttons deeds">
-        <button type="button" class="quiet" title="From upwind, now (G)" @click=${() => editor.actions.throwGust()}>
-          ${icon('gust')}<span>Throw a gust</span></button>
+        <button type="button" class="quiet" title=${withKeys('gust', gustWords.throwTitle)} @click=${() => editor.actions.throwGust()}>
+          ${icon('gust')}<span>${gustWords.throw}</span></button>
         <wg-loop .editor=${editor}></wg-loop>
       </div>`;
   }
@@ -62,16 +65,17 @@ class TimeBar extends Part {
     const { doc, editor } = this;
     const { actions } = editor;
     const slow = doc.rate < 1;
+    const says = doc.paused ? timeWords.play : timeWords.pause;
     return html`<div class="transport">
-      <button type="button" class="round" @click=${() => actions.step(-1)} aria-label="Step back" title="One step of 1/60 s back (,)">
+      <button type="button" class="round" @click=${() => actions.step(-1)} aria-label=${timeWords.back} title=${withKeys('stepBack', timeWords.backTitle)}>
         ${icon('back')}</button>
       <button type="button" class="round" @click=${() => actions.toggle()}
-        aria-label=${doc.paused ? 'Play' : 'Pause'} title=${doc.paused ? 'Play (Space)' : 'Pause (Space)'}>
+        aria-label=${says} title=${withKeys('play', says)}>
         ${icon(doc.paused ? 'play' : 'pause')}</button>
-      <button type="button" class="round" @click=${() => actions.step(1)} aria-label="Single step"
-        title="One step of 1/60 s (.)">${icon('step')}</button>
-      <button type="button" class="round slow" aria-pressed=${slow} @click=${() => actions.toggleSlow()} aria-label="¼×, slow motion"
-        title="Slow motion: a quarter of real time (S)"><span aria-hidden="true">¼×</span></button>
+      <button type="button" class="round" @click=${() => actions.step(1)} aria-label=${timeWords.step}
+        title=${withKeys('stepOn', timeWords.stepTitle)}>${icon('step')}</button>
+      <button type="button" class="round slow" aria-pressed=${slow} @click=${() => actions.toggleSlow()} aria-label=${timeWords.slow}
+        title=${withKeys('slow', timeWords.slowTitle)}><span aria-hidden="true">¼×</span></button>
     </div>`;
   }
 
@@ -79,8 +83,8 @@ class TimeBar extends Part {
     return numberField({
       ...LINK_NUMBERS.rate,
       id: 'rate',
-      label: 'Speed',
-      name: 'Speed of time',
+      label: timeWords.speed,
+      name: timeWords.speedName,
       value: this.doc.rate,
       step: 0.05,
       reset: 1,
@@ -102,8 +106,8 @@ class TimeBar extends Part {
   private catchingUp(): TemplateResult | '' {
     const { catchingUp } = this.session;
     if (catchingUp === null) return '';
-    return html`<p class="catching-up"><progress max="1" .value=${catchingUp} aria-label="The branches catch up"></progress>
-      <span>Branches catch up, ${Math.round(100 * catchingUp)} %</span></p>`;
+    return html`<p class="catching-up"><progress max="1" .value=${catchingUp} aria-label=${timeWords.catching}></progress>
+      <span>${timeWords.catchingUp(catchingUp)}</span></p>`;
   }
 
   /** Follows the clock without drawing the whole part again. */
@@ -117,7 +121,7 @@ class TimeBar extends Part {
     if (!ruler || !box) return;
     ruler.value = String(time);
     ruler.style.setProperty('--filled', `${((100 * (time % PAGE)) / PAGE).toFixed(3)}%`);
-    ruler.setAttribute('aria-valuetext', `${time.toFixed(2)} seconds`);
+    ruler.setAttribute('aria-valuetext', timeWords.spoken(time));
     if (document.activeElement !== box) box.value = time.toFixed(2);
   }
 

@@ -1,54 +1,61 @@
 import { html, type TemplateResult } from 'lit';
-import type { Theme, ViewMode } from '../../core/link/link.ts';
+import { THEMES, type ViewMode } from '../../core/link/link.ts';
+import { type CommandId, withKeys } from '../shortcuts.ts';
+import { topWords, viewWords } from '../words/top-bar.ts';
 import { choice } from './choice.ts';
-import { icon } from './icons.ts';
+import { type Icon, icon } from './icons.ts';
+import { menu } from './menu.ts';
 import { Part } from './panel.ts';
 
-const views: readonly { value: ViewMode; label: string; title: string }[] = [
-  { value: 'shaded', label: 'Shaded', title: 'As it looks (Q)' },
-  { value: 'wireframe', label: 'Wireframe', title: 'The triangles that are drawn (W)' },
-  { value: 'control', label: 'Curves', title: 'Control polygons of the pieces, with their frames (E)' },
-  { value: 'levels', label: 'Levels', title: 'Each level of stems in its colour (R)' },
+const views: readonly (readonly [ViewMode, CommandId])[] = [
+  ['shaded', 'shaded'],
+  ['wireframe', 'wireframe'],
+  ['control', 'control'],
+  ['levels', 'levelColours'],
 ];
-const themes: readonly { value: Theme; label: string; icon: 'half' | 'sun' | 'moon' }[] = [
-  { value: 'auto', label: 'Colours of your system', icon: 'half' },
-  { value: 'light', label: 'Light colours', icon: 'sun' },
-  { value: 'dark', label: 'Dark colours', icon: 'moon' },
-];
+const signs: Record<(typeof THEMES)[number], Icon> = { auto: 'half', light: 'sun', dark: 'moon' };
 
-/** How it is shown: view, whole tree, theme, link, help. */
+/** How it is shown: view, whole tree, theme. */
 class ViewPanel extends Part {
   protected override render(): TemplateResult {
-    const { doc, editor } = this;
-    return html`
-      ${choice({
-        name: 'view',
-        legend: 'View',
-        quiet: !this.session.narrow,
-        value: doc.view,
-        options: views,
-        onChoose: (view) => editor.actions.setView(view),
-      })}
-      ${choice({
-        name: 'theme',
-        legend: 'Theme',
-        quiet: !this.session.narrow,
-        value: doc.theme,
-        options: themes.map((t) => ({
-          value: t.value,
-          title: t.label,
-          label: html`${icon(t.icon)}<span class="spoken">${t.label}</span>`,
-        })),
-        onChoose: (theme) => editor.actions.setTheme(theme),
-      })}
-      <div class="buttons">
-        <button type="button" class="quiet" @click=${() => editor.actions.setCamera(null)} title="The whole tree in the window (F)"
-          ?disabled=${doc.camera === null}>${icon('frame')}<span>Whole tree</span></button>
-        <button type="button" class="quiet" @click=${() => editor.actions.share()} title="Copy a link to exactly this (C)">
-          ${icon('link')}<span>Copy link</span></button>
-        <button type="button" class="quiet" @click=${() => editor.actions.setHelp(true)} title="Keys and help (?)">
-          ${icon('help')}<span>Help</span></button>
-      </div>`;
+    const { narrow } = this.session;
+    const { theme } = this.doc;
+    return html`${this.view()}${this.whole()}${
+      narrow
+        ? this.theme()
+        : menu({ id: 'theme-menu', icon: signs[theme], label: topWords.theme, quiet: true, content: this.theme() })
+    }`;
+  }
+
+  private view(): TemplateResult {
+    return choice({
+      name: 'view',
+      legend: viewWords.legend,
+      quiet: !this.session.narrow,
+      value: this.doc.view,
+      options: views.map(([value, id]) => ({
+        value,
+        label: viewWords[value][0],
+        title: withKeys(id, viewWords[value][1]),
+      })),
+      onChoose: (view) => this.editor.actions.setView(view),
+    });
+  }
+
+  private theme(): TemplateResult {
+    return choice({
+      name: 'theme',
+      legend: topWords.theme,
+      value: this.doc.theme,
+      options: THEMES.map((value) => ({ value, label: html`${icon(signs[value])}${viewWords.themes[value]}` })),
+      onChoose: (theme) => this.editor.actions.setTheme(theme),
+    });
+  }
+
+  private whole(): TemplateResult {
+    return html`<button type="button" class="quiet whole" title=${withKeys('whole', viewWords.wholeTitle)}
+      ?disabled=${this.doc.camera === null} @click=${() => this.editor.actions.setCamera(null)}>
+      ${icon('frame')}<span class=${this.session.narrow ? '' : 'spoken'}>${viewWords.whole}</span></button>`;
   }
 }
 

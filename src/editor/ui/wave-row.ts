@@ -4,6 +4,7 @@ import { shownNumber } from '../../core/link/waves.ts';
 import { forceOfSpeed, speedOfForce } from '../../core/wind/speed.ts';
 import type { Wave } from '../../core/wind/wind.ts';
 import type { Editor } from '../editor.ts';
+import { mixerWords } from '../words/wind-panel.ts';
 import { toggle } from './choice.ts';
 import { dial } from './dial.ts';
 import { icon } from './icons.ts';
@@ -40,14 +41,14 @@ export interface RowOf {
 export function waveRow(row: RowOf): TemplateResult {
   const { editor, wave, index, original, heard, open } = row;
   const { actions } = editor;
-  const name = `Wave ${index + 1}`;
+  const name = mixerWords.wave(index + 1);
   const id = `wave-${index + 1}`;
   const set = (n: WaveNumber) => (value: number) => actions.setWaveNumber(index, n, value);
   const field = (n: WaveNumber): TemplateResult =>
     numberField({
       id: `${id}-${n.key}`,
       label: capital(n.label),
-      name: `${name} ${n.label}`,
+      name: mixerWords.of(name, n.label),
       unit: n.unit,
       value: shownNumber(wave, n),
       min: n.min,
@@ -69,15 +70,15 @@ export function waveRow(row: RowOf): TemplateResult {
   };
   return html`<section class="wave" aria-label=${name} ?data-quiet=${!heard}>
     <div class="wave-head">
-      <button type="button" class="grip" aria-label="Place of wave ${index + 1}: arrow up and down move it" title="Drag to another place"
+      <button type="button" class="grip" aria-label=${mixerWords.place(index + 1)} title=${mixerWords.placeTitle}
         @pointerdown=${row.onGrip} @keydown=${onGripKey}>${icon('grip')}</button>
-      ${toggle(`${id}-on`, '', wave.on, (on) => actions.setWaveOn(index, on), { name: `${name} on`, title: 'On or off' })}
-      <button type="button" class="solo" aria-pressed=${wave.solo} aria-label="${name} solo" title="Solo: this one alone"
+      ${toggle(`${id}-on`, '', wave.on, (on) => actions.setWaveOn(index, on), { name: mixerWords.on(name), title: mixerWords.onTitle })}
+      <button type="button" class="solo" aria-pressed=${wave.solo} aria-label=${mixerWords.solo(name)} title=${mixerWords.soloTitle}
         @click=${() => actions.setWaveSolo(index, !wave.solo)}>S</button>
-      <button type="button" class="wave-open" aria-expanded=${open} aria-controls="${id}-more" aria-label="${name}: all settings"
-        title="${name}: all settings" @click=${() => row.onOpen(!open)}><canvas class="trace" data-wave=${index}></canvas>
+      <button type="button" class="wave-open" aria-expanded=${open} aria-controls="${id}-more" aria-label=${mixerWords.all(name)}
+        title=${mixerWords.all(name)} @click=${() => row.onOpen(!open)}><canvas class="trace" data-wave=${index}></canvas>
         <span class="wave-name" aria-hidden="true">${index + 1}</span>${icon(open ? 'up' : 'down')}</button>
-      ${dial({ id: `${id}-dial`, name: `${name} direction, dial`, value: shownNumber(wave, DIRECTION), onInput: set(DIRECTION) })}
+      ${dial({ id: `${id}-dial`, name: mixerWords.dial(name), value: shownNumber(wave, DIRECTION), onInput: set(DIRECTION) })}
     </div>
     <div class="fader">${field(AMPLITUDE)}</div>
     <div class="wave-more" id="${id}-more" ?hidden=${!open}>${open ? html`${FOLDED.map(field)}${rowTools(row, name)}` : ''}</div>
@@ -87,17 +88,17 @@ export function waveRow(row: RowOf): TemplateResult {
 /** How often it comes, and what can be done with the whole row. */
 function rowTools({ editor, wave, index, count, most, onMove }: RowOf, name: string): TemplateResult {
   const { actions } = editor;
-  const period = wave.speed > 0 ? `every ${(wave.wavelength / wave.speed).toFixed(1)} s` : 'stands still';
+  const period = wave.speed > 0 ? mixerWords.every(wave.wavelength / wave.speed) : mixerWords.still;
   const button = (
     label: string,
     picture: 'up' | 'down' | 'copy' | 'bin',
     act: () => void,
     off: boolean,
-  ): TemplateResult => html`<button type="button" class="round" aria-label="${label} ${name.toLowerCase()}" title=${label}
+  ): TemplateResult => html`<button type="button" class="round" aria-label=${mixerWords.of(label, name.toLowerCase())} title=${label}
     ?disabled=${off} @click=${act}>${icon(picture)}</button>`;
   return html`<div class="wave-tools"><span class="soft">${period}</span><span class="buttons">
-    ${button('Move up', 'up', () => onMove(index - 1), index === 0)}
-    ${button('Move down', 'down', () => onMove(index + 1), index === count - 1)}
-    ${button('Copy', 'copy', () => actions.copyWave(index), most)}
-    ${button('Remove', 'bin', () => actions.removeWave(index), false)}</span></div>`;
+    ${button(mixerWords.up, 'up', () => onMove(index - 1), index === 0)}
+    ${button(mixerWords.down, 'down', () => onMove(index + 1), index === count - 1)}
+    ${button(mixerWords.copy, 'copy', () => actions.copyWave(index), most)}
+    ${button(mixerWords.remove, 'bin', () => actions.removeWave(index), false)}</span></div>`;
 }

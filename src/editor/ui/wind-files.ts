@@ -1,4 +1,5 @@
 import { html, type TemplateResult } from 'lit';
+import { windFileWords } from '../words/wind-panel.ts';
 import { icon } from './icons.ts';
 import { Part } from './panel.ts';
 
@@ -8,14 +9,14 @@ class WindFiles extends Part {
     const { actions } = this.editor;
     const { record } = actions.edited().wind;
     return html`<div class="buttons">
-        <button type="button" class="quiet" @click=${() => actions.copyWind()}>${icon('copy')}<span>Copy wind</span></button>
-        <button type="button" class="quiet" @click=${() => actions.saveWind()}>${icon('save')}<span>Download</span></button>
+        <button type="button" class="quiet" @click=${() => actions.copyWind()}>${icon('copy')}<span>${windFileWords.copy}</span></button>
+        <button type="button" class="quiet" @click=${() => actions.saveWind()}>${icon('save')}<span>${windFileWords.download}</span></button>
       </div>
-      <label class="paste"><span>Paste a wind here</span>
-        <textarea rows="2" spellcheck="false" placeholder='{ "format": "windgrove-wind", … }' @paste=${this.paste} @change=${this.typed}></textarea></label>
-      <label class="button open-file">${icon('open')}<span>Open a wind file…</span>
+      <label class="paste"><span>${windFileWords.paste}</span>
+        <textarea rows="2" spellcheck="false" placeholder=${windFileWords.pasteLike} @paste=${this.paste} @change=${this.typed}></textarea></label>
+      <label class="button open-file">${icon('open')}<span>${windFileWords.open}</span>
         <input type="file" accept=".json,.csv,application/json,text/csv" class="spoken" @change=${this.open}></label>
-      ${record ? html`<p class="soft">Measured: ${record.name}. <button type="button" class="text" @click=${() => actions.setRecord(null)}>Take it out</button></p>` : ''}`;
+      ${record ? html`<p class="soft">${windFileWords.measured(record.name)} <button type="button" class="text" @click=${() => actions.setRecord(null)}>${windFileWords.takeOut}</button></p>` : ''}`;
   }
 
   /** A paste is the whole of what is meant: it blows at once, and the box is free again. */

@@ -11,6 +11,8 @@ import './model-panel.ts';
 import './wind-files.ts';
 import './wind-presets.ts';
 import './wizard.ts';
+import { withKeys } from '../shortcuts.ts';
+import { windWords } from '../words/wind-panel.ts';
 import { numberField } from './number-field.ts';
 import { Part } from './panel.ts';
 
@@ -20,16 +22,16 @@ class WindPanel extends Part {
     const { doc, editor } = this;
     const { wind, preset } = editor.actions.edited();
     const original = this.session.winds.find((w) => w.id === preset)?.wind ?? wind;
-    const waves = wind.waves.length === 1 ? 'One wave' : `${wind.waves.length || 'No'} waves`;
+    const waves = windWords.waves(wind.waves.length);
     return html`
       <div class="wind-head">${this.side()}${toggle(
         'blowing',
-        html`Wind`,
+        windWords.wind,
         doc.blowing,
         (on) => editor.actions.setBlowing(on),
         {
-          name: 'Wind',
-          title: 'Wind on or off (B)',
+          name: windWords.wind,
+          title: withKeys('blow', windWords.onOff),
         },
       )}</div>
       <wg-wind-presets .editor=${editor}></wg-wind-presets>
@@ -37,42 +39,42 @@ class WindPanel extends Part {
         {
           ...LINK_NUMBERS.strength,
           id: 'strength',
-          label: 'Strength',
-          name: 'Wind strength',
+          label: windWords.strength,
+          name: windWords.strengthName,
           value: wind.strength,
           step: 0.01,
           reset: original.strength,
-          help: 'A factor on all of the wind',
+          help: windWords.strengthHelp,
           onInput: (value) => editor.actions.setStrength(value),
         },
       )}
       ${this.direction()}</div>
       ${this.overlays()}
-      ${fold(editor, 'wizard', 'Wizard', html`<wg-wizard .editor=${editor}></wg-wizard>`)}
+      ${fold(editor, 'wizard', windWords.wizard, html`<wg-wizard .editor=${editor}></wg-wizard>`)}
       ${fold(editor, 'mixer', waves, html`<wg-mixer .editor=${editor}></wg-mixer>`, true)}
       ${fold(editor, 'gusts', this.gusts(wind.gusts.length), html`<wg-gusts .editor=${editor}></wg-gusts>`)}
       ${fold(editor, 'model', this.model(wind.model), html`<wg-model .editor=${editor}></wg-model>`)}
-      ${fold(editor, 'air', 'Air and paper', html`<wg-air .editor=${editor}></wg-air>`)}
-      ${fold(editor, 'wind-file', 'Copy, paste, files', html`<wg-wind-files .editor=${editor}></wg-wind-files>`)}`;
+      ${fold(editor, 'air', windWords.air, html`<wg-air .editor=${editor}></wg-air>`)}
+      ${fold(editor, 'wind-file', windWords.files, html`<wg-wind-files .editor=${editor}></wg-wind-files>`)}`;
   }
 
   /** What of the wind is seen in the picture. */
   private overlays(): TemplateResult {
     const { actions } = this.editor;
     const { overlays } = this.doc;
-    return html`<div class="overlays" role="group" aria-label="In the picture">
-      ${toggle('overlay-arrows', 'Arrows', overlays.arrows, (arrows) => actions.setOverlays({ arrows }), { title: 'Arrows of the force over the ground (A)' })}
-      ${toggle('overlay-fronts', 'Fronts', overlays.fronts, (fronts) => actions.setOverlays({ fronts }), { title: 'Fronts of gusts on the ground' })}
-      ${toggle('overlay-handle', 'Handle', overlays.handle, (handle) => actions.setOverlays({ handle }), { title: 'The handle that turns the wind (H)' })}
+    return html`<div class="overlays" role="group" aria-label=${windWords.inPicture}>
+      ${toggle('overlay-arrows', windWords.arrows, overlays.arrows, (arrows) => actions.setOverlays({ arrows }), { title: withKeys('arrows', windWords.arrowsTitle) })}
+      ${toggle('overlay-fronts', windWords.fronts, overlays.fronts, (fronts) => actions.setOverlays({ fronts }), { title: windWords.frontsTitle })}
+      ${toggle('overlay-handle', windWords.handle, overlays.handle, (handle) => actions.setOverlays({ handle }), { title: withKeys('handle', windWords.handleTitle) })}
     </div>`;
   }
 
   private gusts(count: number): TemplateResult {
-    return html`<span>Gusts</span><span class="soft count">${count || ''}</span>`;
+    return html`<span>${windWords.gusts}</span><span class="soft count">${count || ''}</span>`;
   }
 
   private model(model: string): TemplateResult {
-    return html`<span>Branches answer</span><span class="soft count">${model}</span>`;
+    return html`<span>${windWords.answer}</span><span class="soft count">${model}</span>`;
   }
 
   /** Which of two winds is changed here. */
@@ -80,12 +82,12 @@ class WindPanel extends Part {
     if (!this.doc.compare) return '';
     return choice({
       name: 'side',
-      legend: 'Wind that is changed here',
+      legend: windWords.side,
       quiet: true,
       value: this.session.side,
       options: [
-        { value: 'A', label: 'Wind A', title: 'The wind of the left side' },
-        { value: 'B', label: 'Wind B', title: 'The wind of the right side' },
+        { value: 'A', label: windWords.sideA, title: windWords.sideATitle },
+        { value: 'B', label: windWords.sideB, title: windWords.sideBTitle },
       ],
       onChoose: (side) => this.editor.actions.setSide(side),
     });
@@ -104,9 +106,9 @@ class WindPanel extends Part {
       else box.value = String(degrees);
     };
     return html`<div class="field whole" ?data-disabled=${disabled}>
-      <label for="direction-number" title="Turns all waves together: 0° to the right of the first view, 90° away from you">Direction</label>
-      ${dial({ id: 'direction', name: 'Wind direction, dial', value: Math.round(degrees), disabled, onInput: set })}
-      <span class="amount"><input type="number" id="direction-number" aria-label="Wind direction, degrees" min="0" max="360" step="any"
+      <label for="direction-number" title=${windWords.directionHelp}>${windWords.direction}</label>
+      ${dial({ id: 'direction', name: windWords.directionDial, value: Math.round(degrees), disabled, onInput: set })}
+      <span class="amount"><input type="number" id="direction-number" aria-label=${windWords.directionNumber} min="0" max="360" step="any"
         .value=${String(degrees)} ?disabled=${disabled} @change=${typed}><span class="unit" aria-hidden="true">°</span></span>
     </div>`;
   }

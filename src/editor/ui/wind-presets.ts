@@ -3,6 +3,7 @@ import { live } from 'lit/directives/live.js';
 import { OWN_WIND } from '../../core/link/link.ts';
 import { sameValue } from '../../core/wind/same-before.ts';
 import type { Wind } from '../../core/wind/wind.ts';
+import { windWords } from '../words/wind-panel.ts';
 import { Part } from './panel.ts';
 
 /** A wind without what the clock did to the phases of its waves, and without what passes once; of a record its name alone. */
@@ -22,7 +23,7 @@ class WindPresets extends Part {
     const { winds } = this.session;
     const original = winds.find((w) => w.id === preset);
     const edited = original !== undefined && !sameValue(character(original.wind), character(wind));
-    return html`<fieldset class="winds"><legend class="spoken">Begin with</legend>
+    return html`<fieldset class="winds"><legend class="spoken">${windWords.begin}</legend>
       <div class="strip-of-winds">${winds.map(
         (w) => html`<label class="wind" title=${w.description}><input type="radio" name="preset" value=${w.id}
           .checked=${live(w.id === preset && !edited)} @change=${() => actions.setPreset(w.id)}>
@@ -31,9 +32,9 @@ class WindPresets extends Part {
       <p class="feels">${
         original
           ? edited
-            ? html`<strong>${original.name}</strong>, changed. <button type="button" class="text" @click=${() => actions.setPreset(preset)}>Put back</button>`
+            ? html`<strong>${original.name}</strong>${windWords.changed} <button type="button" class="text" @click=${() => actions.setPreset(preset)}>${windWords.putBack}</button>`
             : original.description
-          : html`<strong>${wind.name}</strong>${preset === OWN_WIND ? ', your own. ' : '. '}${wind.description}`
+          : html`<strong>${wind.name}</strong>${preset === OWN_WIND ? windWords.own : '.'} ${wind.description}`
       }</p>`;
   }
 

@@ -1,6 +1,7 @@
 import { html, type TemplateResult } from 'lit';
 import { WIND_NUMBERS } from '../../core/link/wind-numbers.ts';
 import { BEAUFORT, speedOfBeaufort } from '../../core/wind/speed.ts';
+import { wizardWords } from '../words/wind-panel.ts';
 import { dial } from './dial.ts';
 import { icon } from './icons.ts';
 import { numberField } from './number-field.ts';
@@ -17,54 +18,54 @@ class Wizard extends Part {
     const { wizard } = this.session;
     const force = BEAUFORT[Math.round(wizard.beaufort)]!;
     const degrees = Math.round((((wizard.direction / DEGREE) % 360) + 360) % 360);
-    const share = (key: 'steadiness' | 'turbulence', label: string, help: string): TemplateResult =>
+    const share = (key: 'steadiness' | 'turbulence'): TemplateResult =>
       numberField({
         id: `wizard-${key}`,
-        label,
-        name: `Wizard ${key}`,
+        label: wizardWords[key][0],
+        name: wizardWords[key][2],
         unit: '%',
         value: Math.round(100 * wizard[key]),
         min: 0,
         max: 100,
         step: 1,
         decimals: 0,
-        help,
+        help: wizardWords[key][1],
         onInput: (value) => actions.useWizard({ [key]: value / 100 }),
       });
-    return html`<p class="soft">Say what it is like; all values follow, and each can then be changed.</p>
+    return html`<p class="soft">${wizardWords.about}</p>
       ${numberField({
         id: 'wizard-beaufort',
-        label: 'Beaufort',
-        name: 'Wizard Beaufort number',
+        label: wizardWords.beaufort,
+        name: wizardWords.beaufortName,
         unit: '',
         value: wizard.beaufort,
         min: 0,
         max: MOST_BEAUFORT,
         step: 1,
         decimals: 1,
-        help: 'How strong it is: 0 is calm, 11 a violent storm',
+        help: wizardWords.beaufortHelp,
         onInput: (beaufort) => actions.useWizard({ beaufort }),
       })}
-      <p class="says"><strong>${force.name}</strong>, ${speedOfBeaufort(wizard.beaufort).toFixed(1)} m/s. ${force.seen}</p>
-      ${share('steadiness', 'Steadiness', 'None: gusts and lulls; full: the same all day')}
-      ${share('turbulence', 'Turbulence', 'None: smooth air from the sea; full: eddies behind houses and woods')}
+      <p class="says"><strong>${force.name}</strong>${wizardWords.feels(speedOfBeaufort(wizard.beaufort), force.seen)}</p>
+      ${share('steadiness')}
+      ${share('turbulence')}
       ${ruleField(WIND_NUMBERS.stiffness, {
         id: 'wizard-stiffness',
-        label: 'Stiffness',
-        name: 'Wizard stiffness of the tree',
+        label: wizardWords.stiffness,
+        name: wizardWords.stiffnessName,
         value: wizard.stiffness,
         reset: 1,
         onInput: (stiffness) => actions.useWizard({ stiffness }),
       })}
-      <div class="field whole"><span class="label">Direction</span>
+      <div class="field whole"><span class="label">${wizardWords.direction}</span>
         ${dial({
           id: 'wizard-direction',
-          name: 'Wizard direction, dial',
+          name: wizardWords.directionDial,
           value: degrees,
           onInput: (value) => actions.useWizard({ direction: value * DEGREE }),
         })}
-        <button type="button" class="quiet" title="The same character with other waves"
-          @click=${() => actions.useWizard({ seed: wizard.seed + 1 })}>${icon('dice')}<span>Other waves</span></button>
+        <button type="button" class="quiet" title=${wizardWords.otherWavesTitle}
+          @click=${() => actions.useWizard({ seed: wizard.seed + 1 })}>${icon('dice')}<span>${wizardWords.otherWaves}</span></button>
       </div>`;
   }
 }

@@ -1,37 +1,12 @@
-import {
-  BufferAttribute,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
-  type IUniform,
-  Mesh,
-  Object3D,
-} from 'three';
+import { InstancedBufferAttribute, type IUniform, Mesh, Object3D } from 'three';
 import fragmentShader from '../../../shaders/overlay/highlight.frag';
 import vertexShader from '../../../shaders/overlay/highlight.vert';
 import { type OverlayUniforms, overlayMaterial } from './overlay-material.ts';
-
-/** Straight parts of a piece. */
-const PARTS = 10;
-
-/** Numbers of a piece: piece | odd | radius at its start | at its end. */
-const NUMBERS = 4;
-
-function ribbon(): InstancedBufferGeometry {
-  const position: number[] = [];
-  const index: number[] = [];
-  for (let i = 0; i <= PARTS; i++) {
-    position.push(i / PARTS, -1, 0, i / PARTS, 1, 0);
-    if (i > 0) index.push(2 * i - 2, 2 * i, 2 * i - 1, 2 * i - 1, 2 * i, 2 * i + 1);
-  }
-  const geometry = new InstancedBufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(position), 3));
-  geometry.setIndex(index);
-  return geometry;
-}
+import { PIECE_NUMBERS, pieceRibbon } from './piece-ribbon.ts';
 
 /** A branch that stands out: a ribbon before each of its pieces, in the pose as the GPU has it. */
 export class Highlight extends Object3D {
-  readonly #geometry = ribbon();
+  readonly #geometry = pieceRibbon();
   readonly #materials;
 
   /** `pose`: poseEven, poseOdd and poseLog2Width of the tree. */
@@ -52,8 +27,8 @@ export class Highlight extends Object3D {
 
   /** Shows these pieces: piece | 1 where its depth is odd | radius in metres at its start | at its end. */
   set(pieces: Float32Array): void {
-    this.#geometry.setAttribute('piece', new InstancedBufferAttribute(pieces, NUMBERS));
-    this.#geometry.instanceCount = pieces.length / NUMBERS;
+    this.#geometry.setAttribute('piece', new InstancedBufferAttribute(pieces, PIECE_NUMBERS));
+    this.#geometry.instanceCount = pieces.length / PIECE_NUMBERS;
   }
 
   override dispose(): void {

@@ -1,15 +1,20 @@
 import { type IUniform, Object3D } from 'three';
 import type { PackedTree } from '../../core/pack/packed.ts';
+import type { StemTable } from '../../core/pack/stem-table.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import type { ForceField } from '../force-field.ts';
 import type { Overlays } from '../picture/picture.ts';
 import { windDirection } from '../wind-direction.ts';
 import { Arrows } from './arrows.ts';
+import { Envelope, type TreeSize } from './envelope.ts';
 import { Fronts } from './fronts.ts';
 import { Handle } from './handle.ts';
 import { Highlight } from './highlight.ts';
 import { Marker } from './marker.ts';
 import { overlayUniforms, setOverlayColours } from './overlay-material.ts';
+import { type StemEnds, stemEnds } from './stem-ends.ts';
+import { StemHandles } from './stem-handles.ts';
+import { StemOutline } from './stem-outline.ts';
 import { isOdd, stemPieces } from './stem-pieces.ts';
 
 const NONE: Overlays = { arrows: false, fronts: false, handle: false, probe: null, highlight: null };
@@ -21,13 +26,19 @@ const SWELL = 2;
 /** What is drawn in the scene beside the tree: the force over the ground, gusts, the wind's handle, the probe, a branch. */
 export class SceneOverlays extends Object3D {
   readonly handle: Handle;
+  readonly stemHandles: StemHandles;
   readonly #uniforms = overlayUniforms();
   readonly #arrows: Arrows;
   readonly #fronts: Fronts;
   readonly #marker: Marker;
   readonly #highlight: Highlight;
+  readonly #selected: StemOutline;
+  readonly #hovered: StemOutline;
+  readonly #envelope: Envelope;
+  #ends: StemEnds | null = null;
   #wanted = NONE;
   #tree: PackedTree | null = null;
+  #stems: StemTable | null = null;
   /** Time of the clock at which the handle was drawn first. */
   #glowing = Number.NaN;
   #touched = false;
@@ -40,8 +51,13 @@ export class SceneOverlays extends Object3D {
     this.#fronts = new Fronts(shared, field);
     this.#marker = new Marker(shared, pose);
     this.#highlight = new Highlight(shared, pose);
+    this.#hovered = new StemOutline(shared, pose, 0.25);
+    this.#selected = new StemOutline(shared, pose, 1);
+    this.#envelope = new Envelope(shared);
+    this.stemHandles = new StemHandles(shared, pose);
     this.handle = new Handle(shared);
-    this.add(this.#fronts, this.#arrows, this.handle, this.#highlight, this.#marker);
+    this.add(this.#fronts, this.#arrows, this.handle, this.#envelope);
+    this.add(this.#highlight, this.#hovered, this.#selected, this.#marker, this.stemHandles);
     this.rotation.x = -Math.PI / 2; // tree space: z up to y up
     this.name = 'overlays';
     this.setDark(false);
@@ -67,9 +83,16 @@ export class SceneOverlays extends Object3D {
     this.#uniforms.overlayPixels.value.set(width, height);
   }
 
-  /** Takes the tree that the probe sticks to, and its reach and the radius of its crown in metres. */
-  setTree(tree: PackedTree, reach: number, crown: number): void {
+  /** The places of the selected stem's handles; null where none is drawn. */
+  get ends(): StemEnds | null {
+    return this.#ends;
+  }
+
+  /** Takes the tree that marks stick to, its reach and the radius of its crown in metres, and what of its size the envelope goes by. */
+  setTree(tree: PackedTree, stems: StemTable, reach: number, crown: number, size: TreeSize): void {
     this.#tree = tree;
+    this.#stems = stems;
+    this.#envelope.fit(size);
     this.#arrows.fit(reach);
     this.#fronts.fit(reach);
     this.handle.fit(reach, crown);
@@ -100,6 +123,27 @@ export class SceneOverlays extends Object3D {
 
   override dispose(): void {
     for (const part of [this.#arrows, this.#fronts, this.#marker, this.#highlight, this.handle]) part.dispose();
+    for (const part of [this.#selected, this.#hovered, this.stemHandles, this.#envelope]) part.dispose();
+  }
+
+  #showStems(): void {
+    const { stem = null, hoveredStem = null, handles = false, throwing = false, envelope = null } = this.#wanted;
+    const tree = this.#tree;
+    const stems = this.#stems;
+    const outline = (mark: StemOutline, which: number | null): boolean => {
+      const there = tree !== null && stems !== null && which !== null && which < stems.count;
+      mark.visible = there;
+      if (there) mark.set(stemPieces(tree, stems.firstPiece[which] as number), stems.level[which] as number);
+      return there;
+    };
+    const selected = outline(this.#selected, stem);
+    outline(this.#hovered, hoveredStem === stem ? null : hoveredStem);
+    const held = selected && handles && !throwing && tree && stems && stem !== null;
+    this.#ends = held ? stemEnds(tree, stems, stem) : null;
+    this.stemHandles.visible = this.#ends !== null;
+    if (tree && this.#ends) this.stemHandles.set(tree, this.#ends);
+    this.#envelope.visible = tree !== null && envelope !== null;
+    if (envelope) this.#envelope.set(envelope);
   }
 
   #show(): void {
@@ -113,5 +157,6 @@ export class SceneOverlays extends Object3D {
     if (tree && has(probe)) this.#marker.stick(probe, isOdd(tree, probe));
     this.#highlight.visible = has(highlight);
     if (tree && has(highlight)) this.#highlight.set(stemPieces(tree, highlight));
+    this.#showStems();
   }
 }

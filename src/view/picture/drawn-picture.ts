@@ -14,6 +14,7 @@ import { placeOf, poseOf } from './camera-pose.ts';
 import type { GrownTree } from './grow-tree.ts';
 import { tipsOf } from './on-screen.ts';
 import type {
+  Capture,
   Compare,
   FrameFigures,
   Insets,
@@ -35,6 +36,8 @@ const NEAR = 8;
 
 const toTreeSpace = ({ origin: o, direction: d }: Ray): Ray =>
   new Ray(new Vector3(o.x, -o.z, o.y), new Vector3(d.x, -d.z, d.y));
+
+const NO_GPU = 'This browser draws a still picture only: it has no WebGL2.';
 
 const NOTHING: FrameFigures = { triangles: 0, drawCalls: 0, wind: 0, draw: 0, catchingUp: null };
 
@@ -142,7 +145,7 @@ export class DrawnPicture implements Picture {
   }
 
   onScreen(): OnScreen {
-    return { branches: [], horizon: 0 };
+    return { branches: [], stems: [], handles: {}, horizon: 0 };
   }
 
   pickPiece(x: number, y: number): number | null {
@@ -154,6 +157,11 @@ export class DrawnPicture implements Picture {
       .reduce((end, { start, count }) => Math.max(end, start + count), 0);
     const near = NEAR * metresAPixel(this.eye, this.canvas.height);
     return pickBranch(packed, toTreeSpace(ray), { places, pose: this.pose, near })?.piece ?? null;
+  }
+
+  pickStem(x: number, y: number): number | null {
+    const piece = this.pickPiece(x, y);
+    return piece === null ? null : (this.grown?.stems.stemOfPiece[piece] ?? null);
   }
 
   pickGround(x: number, y: number): { x: number; y: number } | null {
@@ -173,6 +181,14 @@ export class DrawnPicture implements Picture {
   capture(time: number): string {
     while (this.draw(time).catchingUp !== null);
     return this.canvas.toDataURL();
+  }
+
+  async portrait(): Promise<Blob> {
+    throw new Error(NO_GPU);
+  }
+
+  async openCapture(): Promise<Capture> {
+    throw new Error(NO_GPU);
   }
 
   /** Puts the camera where the document wants it, with the middle of its view clear of the panels, as the stage does. */

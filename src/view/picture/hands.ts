@@ -61,6 +61,11 @@ export class Hands {
     return this.held !== null;
   }
 
+  /** The mouse is over a grip. */
+  get pointing(): boolean {
+    return this.over !== null;
+  }
+
   private gripAt(event: PointerEvent): Grip | null {
     const near = event.pointerType === 'mouse' ? NEAR.mouse : NEAR.touch;
     for (const grip of this.reach.grips) {

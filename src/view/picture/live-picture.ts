@@ -1,4 +1,5 @@
 import { Vector3 } from 'three';
+import { treeSize } from '../../core/grow/tree-size.ts';
 import type { CameraPose } from '../../core/link/link.ts';
 import type { Species } from '../../core/species/species.ts';
 import type { Wind } from '../../core/wind/wind.ts';
@@ -8,14 +9,18 @@ import { uprightBox } from '../tree-extent.ts';
 import { type Which, WindTree } from '../wind-tree.ts';
 import { type Area, groundAt, metresAPixel, rayAt } from './aim.ts';
 import { placeOf, poseOf } from './camera-pose.ts';
+import { openCapture } from './capture.ts';
 import { GpuTimer } from './gpu-timer.ts';
 import type { GrownTree } from './grow-tree.ts';
 import { HandleGrip } from './handle-grip.ts';
 import { type Grip, Hands } from './hands.ts';
+import { Hover } from './hover.ts';
 import { onScreen, tipsOf } from './on-screen.ts';
 import { Pace } from './pace.ts';
 import { type Pane, panesOf } from './panes.ts';
 import type {
+  Capture,
+  CaptureOptions,
   Compare,
   FrameFigures,
   Insets,
@@ -23,10 +28,13 @@ import type {
   Overlays,
   Picture,
   PictureEvents,
+  PortraitOptions,
   Show,
   TextureImages,
 } from './picture.ts';
+import { Portraits } from './portraits.ts';
 import { PoseGlimpse } from './pose-glimpse.ts';
+import { StemGrips } from './stem-grips.ts';
 import { textureImages } from './texture-images.ts';
 
 /** Milliseconds of a frame on most screens, and the part of the camera's swing that is left after one. */
@@ -43,6 +51,8 @@ export class LivePicture implements Picture {
   private readonly tree = new WindTree();
   private readonly overlays: SceneOverlays;
   private readonly hands: Hands;
+  private readonly hover: Hover;
+  private readonly stemGrips: StemGrips;
   private readonly events: PictureEvents;
   private compare: Compare | null = null;
   private insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
@@ -50,6 +60,8 @@ export class LivePicture implements Picture {
   private readonly glimpses = { A: this.glimpse('A'), B: this.glimpse('B') };
   private readonly timer: GpuTimer;
   private grown: GrownTree | null = null;
+  /** It is of a drag that goes on: the next follows at once. */
+  private draft = false;
   /** Where the document wants the camera; null: the whole tree. */
   private wished: CameraPose | null = null;
   /** Where the camera rests: set anew before each frame, so that rounding in the controls never adds up. */
@@ -65,6 +77,10 @@ export class LivePicture implements Picture {
   private caught: number | null = null;
   private windMs = 0;
   private readonly pace = new Pace();
+  private readonly portraits = new Portraits();
+  private species: Species | null = null;
+  private shown: Show = { levelsShown: Number.POSITIVE_INFINITY, showLeaves: true, view: 'shaded' };
+  private dark = false;
   private size: [width: number, height: number] = [1, 1];
   /** Part of the pixels in each direction that is drawn now. */
   private scale = 1;
@@ -82,14 +98,21 @@ export class LivePicture implements Picture {
     this.stage.scene.add(this.tree, this.overlays);
     this.timer = new GpuTimer(this.stage.renderer.getContext() as WebGL2RenderingContext);
     const { controls } = this.stage;
+    this.stemGrips = this.gripsOfStem();
     this.hands = new Hands({
       canvas: this.canvas,
-      grips: [this.wipe(), this.handle()],
+      grips: [this.wipe(), ...this.stemGrips.grips, this.handle()],
       hold: (on) => {
         controls.enabled = !on;
       },
       press: (x) => this.glimpses[this.paneAt(x).which].ask(this.time),
       click: (x, y) => this.click(x, y),
+    });
+    this.hover = new Hover({
+      canvas: this.canvas,
+      pick: (x, y) => this.pickStem(x, y),
+      blocked: () => this.turning || this.hands.busy || this.hands.pointing || this.overlays.wanted.throwing === true,
+      tell: (stem) => events.onHoverStem?.(stem),
     });
     this.canvas.addEventListener('wheel', (event) => this.turnWheel(event), { capture: true, passive: false });
     controls.enableDamping = !matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -140,12 +163,23 @@ export class LivePicture implements Picture {
     return poseOf(this.stage.camera.position, this.stage.controls.target);
   }
 
-  setTree(grown: GrownTree, species: Species): void {
+  setTree(grown: GrownTree, species: Species, { draft = false }: { readonly draft?: boolean } = {}): void {
+    this.draft = draft;
     this.grown = grown;
+    this.species = species;
     this.tree.setTree(grown.packed, species);
     const size = uprightBox(grown.packed.bounds).getSize(new Vector3());
     this.reach = Math.max(size.y, 2);
-    this.overlays.setTree(grown.packed, this.reach, Math.max(size.x, size.z) / 2);
+    this.overlays.setTree(
+      grown.packed,
+      grown.stems,
+      this.reach,
+      Math.max(size.x, size.z) / 2,
+      treeSize(species, grown.stats.seed),
+    );
+    this.stemGrips.setTree(grown.packed);
+    this.hover.forget();
+    this.showChannel();
     this.forgetPoses();
     this.place();
   }
@@ -166,11 +200,15 @@ export class LivePicture implements Picture {
   }
 
   setOverlays(overlays: Overlays): void {
+    const former = this.overlays.wanted.channel ?? null;
     this.overlays.set(overlays);
     this.hands.cursor = overlays.throwing ? 'crosshair' : '';
+    if ((overlays.channel ?? null) !== former) this.showChannel();
   }
 
-  show({ levelsShown, showLeaves, view }: Show): void {
+  show(how: Show): void {
+    const { levelsShown, showLeaves, view } = how;
+    this.shown = how;
     this.tree.levelsShown = levelsShown;
     this.tree.showLeaves = showLeaves ? 'auto' : false;
     this.tree.mode = view;
@@ -178,6 +216,7 @@ export class LivePicture implements Picture {
   }
 
   setDark(dark: boolean): void {
+    this.dark = dark;
     this.stage.setDark(dark);
     this.overlays.setDark(dark);
     this.stale = true;
@@ -206,6 +245,10 @@ export class LivePicture implements Picture {
     // The swing fades by time, not by frames: where frames are slow it would go on for a minute.
     controls.dampingFactor = 1 - SWING ** Math.max(1, (start - this.drawn) / FRAME);
     this.drawn = start;
+    // A tree that takes another's place while time runs swings on; where time stands its past counts.
+    const runs = hurried && time !== this.time && !Number.isNaN(this.time);
+    tree.startsNear = this.draft || runs;
+    if (!hurried && !this.draft) tree.settle();
     this.timer.begin();
     tree.update(renderer, time);
     this.timer.end();
@@ -234,6 +277,7 @@ export class LivePicture implements Picture {
     if (moved) this.windMs = this.timer.milliseconds ?? submitted - start;
     this.stale = moved && !shadows;
     this.time = time;
+    this.stemGrips.look();
     if (this.gliding && !this.held && !stage.moving) this.settle();
     const { triangles, calls } = renderer.info.render;
     return { triangles, drawCalls: calls, wind: this.windMs, draw: drawn - start, catchingUp };
@@ -247,14 +291,24 @@ export class LivePicture implements Picture {
 
   onScreen(): OnScreen {
     const pose = this.tree.readPose(this.stage.renderer);
-    if (!pose || !this.grown) return { branches: [], horizon: 0 };
-    return onScreen(this.grown.packed, pose, this.tree, this.stage.camera, this.canvas);
+    if (!pose || !this.grown) return { branches: [], stems: [], handles: {}, horizon: 0 };
+    const { packed, stems } = this.grown;
+    return {
+      ...onScreen(packed, pose, this.tree, this.stage.camera, this.canvas),
+      stems: [...stems.stemOfPiece],
+      handles: this.stemGrips.onScreen(),
+    };
   }
 
   pickPiece(x: number, y: number): number | null {
     const { ray } = rayAt(x, y, this.areaAt(x), this.stage.camera);
     const pose = this.glimpses[this.paneAt(x).which].at(this.time);
     return this.tree.pick(ray, { pose, near: NEAR * metresAPixel(this.stage.camera, this.size[1]) });
+  }
+
+  pickStem(x: number, y: number): number | null {
+    const piece = this.pickPiece(x, y);
+    return piece === null ? null : (this.grown?.stems.stemOfPiece[piece] ?? null);
   }
 
   pickGround(x: number, y: number): { x: number; y: number } | null {
@@ -277,7 +331,7 @@ export class LivePicture implements Picture {
   capture(time: number): string {
     const { wanted } = this.overlays;
     // They are of the interface: how the handle glows goes by what the reader did, not by the document.
-    this.overlays.set({ ...wanted, handle: false, highlight: null });
+    this.overlays.set({ ...wanted, handle: false, highlight: null, stem: null, hoveredStem: null, envelope: null });
     let { catchingUp } = this.draw(time, false);
     // Springs may be on their way to this time; a lost context gets no farther.
     for (let before = -1; catchingUp !== null && catchingUp !== before; ) {
@@ -288,6 +342,24 @@ export class LivePicture implements Picture {
     this.overlays.set(wanted);
     this.draw(time, false);
     return picture;
+  }
+
+  portrait(grown: GrownTree, species: Species, options: PortraitOptions): Promise<Blob> {
+    return this.portraits.take(grown, species, this.dark, options);
+  }
+
+  async openCapture(options: CaptureOptions): Promise<Capture> {
+    const { grown, species, shown: show, dark } = this;
+    if (!grown || !species) throw new Error('There is no tree to draw.');
+    const { wind = this.tree.wind } = options;
+    const { channel = null } = this.overlays.wanted;
+    const sitter = { packed: grown.packed, stems: grown.stems, species, wind, show, dark, channel };
+    const [width, height] = this.size;
+    const { top, right, bottom, left } = this.insets;
+    const pose = options.camera ?? (this.wished && this.turning ? this.camera : this.wished);
+    const high = Math.max(1, height - top - bottom) / height;
+    const wide = Math.max(1, width - left - right) / height;
+    return openCapture(sitter, pose ? { pose, high, wide } : 'whole', options);
   }
 
   /** The canvas in the window. */
@@ -361,12 +433,29 @@ export class LivePicture implements Picture {
     });
   }
 
+  private showChannel(): void {
+    const { channel = null } = this.overlays.wanted;
+    if (this.grown) this.tree.showChannel(channel, this.grown.stems);
+    this.stale = true;
+  }
+
+  private gripsOfStem(): StemGrips {
+    return new StemGrips({
+      ends: () => (this.events.onStemHandle ? this.overlays.ends : null),
+      view: (x) => ({ area: this.areaAt(x), camera: this.stage.camera }),
+      readPiece: (piece) => this.readPiece(piece),
+      mark: (kind, how) => this.overlays.stemHandles.grip(kind, how),
+      tell: (kind, change, done) => this.events.onStemHandle?.(kind, change, done),
+      redraw: this.events.onChange,
+    });
+  }
+
   private click(x: number, y: number): void {
-    const { onPickBranch, onThrow } = this.events;
-    const piece = onPickBranch && !this.overlays.wanted.throwing ? this.pickPiece(x, y) : null;
-    if (onPickBranch && piece !== null) {
-      onPickBranch(piece);
-      return;
+    const { onPickStem, onThrow } = this.events;
+    if (onPickStem && !this.overlays.wanted.throwing) {
+      const piece = this.pickPiece(x, y);
+      onPickStem(piece === null ? null : (this.grown?.stems.stemOfPiece[piece] ?? null), piece);
+      if (piece !== null) return;
     }
     const ground = onThrow ? this.pickGround(x, y) : null;
     if (ground) onThrow?.(ground.x, ground.y);
@@ -404,7 +493,8 @@ export class LivePicture implements Picture {
     const { stage, rest, wished } = this;
     if (this.grown) {
       const box = uprightBox(this.grown.packed.bounds);
-      if (wished) stage.setSubject(box);
+      // A tree that grows in a reader's hand must not run away from it.
+      if (wished || this.stemGrips.busy) stage.setSubject(box);
       else stage.frame(box, { columns: this.compare?.layout === 'side' ? 2 : 1 });
     }
     if (wished) placeOf(wished, rest.position, rest.target);

@@ -16,14 +16,14 @@ export function tipsOf({ pieceCount, restPose }: PackedTree, pose: Float32Array)
   return tips;
 }
 
-/** Where the pieces of a pose (laid out as `restPose`) are on the screen, seen by `camera` in `canvas`. */
+/** Where the pieces of a pose (laid out as `restPose`) are on the screen, and the horizon, seen by `camera` in `canvas`. */
 export function onScreen(
   packed: PackedTree,
   pose: Float32Array,
   tree: Object3D,
   camera: PerspectiveCamera,
   canvas: HTMLCanvasElement,
-): OnScreen {
+): Pick<OnScreen, 'branches' | 'horizon'> {
   const { left, top, width, height } = canvas.getBoundingClientRect();
   const at = new Vector3();
   const project = (): [number, number] => {

@@ -1,5 +1,4 @@
 import { capabilitiesOf, probePage } from '../../gpu/capabilities.ts';
-import { DrawnPicture } from './drawn-picture.ts';
 import { LivePicture } from './live-picture.ts';
 import type { Picture, PictureEvents } from './picture.ts';
 
@@ -13,7 +12,7 @@ export interface OpenedPicture {
 }
 
 /** The best picture that this browser can show, in `host`. */
-export function openPicture(host: HTMLElement, events: PictureEvents): OpenedPicture {
+export async function openPicture(host: HTMLElement, events: PictureEvents): Promise<OpenedPicture> {
   try {
     const picture = labelled(new LivePicture(host, events));
     const { degradation, reason } = capabilitiesOf(picture.renderer);
@@ -21,6 +20,8 @@ export function openPicture(host: HTMLElement, events: PictureEvents): OpenedPic
   } catch (error) {
     const { reason } = probePage();
     host.replaceChildren();
+    // Hardly any browser needs it: the others do not wait for it.
+    const { DrawnPicture } = await import('./drawn-picture.ts');
     return {
       picture: labelled(new DrawnPicture(host, events)),
       lack: 'still',

@@ -1,5 +1,5 @@
 import type { CameraPose, ViewMode } from '../../core/link/link.ts';
-import type { Species } from '../../core/species/species.ts';
+import type { PruningParameters, Species } from '../../core/species/species.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import type { GrownTree } from './grow-tree.ts';
 
@@ -20,8 +20,12 @@ export interface Show {
 
 /** Where things are in the window, CSS pixels. */
 export interface OnScreen {
-  /** Points along all pieces, x and y. */
+  /** Points along all pieces, x and y, as many a piece. */
   readonly branches: readonly number[];
+  /** The stem of each piece. */
+  readonly stems: readonly number[];
+  /** The handles of the selected stem that can be held, x and y. */
+  readonly handles: Readonly<Partial<Record<StemHandle, readonly [x: number, y: number]>>>;
   readonly horizon: number;
 }
 
@@ -61,6 +65,64 @@ export interface Overlays {
   readonly throwing?: boolean;
   /** A control that does what the handle does has the focus: the handle looks as if it were held. */
   readonly handling?: boolean;
+  /** Stem that is selected: outlined along all its pieces. */
+  readonly stem?: number | null;
+  /** The selected stem bears handles for its length, down angle and curve. */
+  readonly handles?: boolean;
+  /** Stem that the reader points at: outlined more faintly. */
+  readonly hoveredStem?: number | null;
+  /** The pruning envelope, drawn around the tree; its numbers are those of the species. */
+  readonly envelope?: PruningParameters | null;
+  /** Colours the tree by what engines get of its wind, in place of bark and leaves. */
+  readonly channel?: ChannelView | null;
+}
+
+/** A number of each vertex that moves a tree in an engine, as a colour (src/core/io/channels.ts). */
+export type ChannelView = 'sway' | 'coordinate' | 'branch' | 'phase' | 'pivot';
+
+/** What a handle of a stem drags. */
+export type StemHandle = 'length' | 'down' | 'curve';
+
+/** How far a handle was dragged since it was taken. */
+export interface StemHandleChange {
+  /** Of `length`: the stem's new length as a multiple of what it was, > 0. */
+  readonly ratio?: number;
+  /** Of `down` and `curve`: what is added to the angle. */
+  readonly degrees?: number;
+}
+
+/** How large a picture that is taken is, in pixels. */
+export interface PictureSize {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** How a portrait is taken. */
+export interface PortraitOptions extends PictureSize {
+  /**
+   * What the picture has room for, in metres about the trunk: trees with the same frame are drawn at the same scale, without ground and sky,
+   * with straight alpha. By default the tree stands on the ground and fills the picture.
+   */
+  readonly frame?: PictureSize;
+}
+
+/** What is to be taken. */
+export interface CaptureOptions extends PictureSize {
+  /** No sky and no ground: the tree alone, with straight alpha. */
+  readonly transparent: boolean;
+  /** Where it is seen from; by default as on the screen now, with as much at the sides as the size asks for. */
+  readonly camera?: CameraPose;
+  /** The wind that blows in it; by default that of the picture. */
+  readonly wind?: Wind;
+}
+
+/** The shown tree, wind and theme, drawn at a size of its own beside the visible picture. */
+export interface Capture {
+  readonly canvas: HTMLCanvasElement | OffscreenCanvas;
+  /** Draws the tree as it is at `time` seconds, springs too; when it resolves the pixels are in `canvas`. Rejects after `close`. */
+  draw(time: number): Promise<void>;
+  /** Frees what it took; the canvas keeps its pixels. */
+  close(): void;
 }
 
 /** One state texture, read back. */
@@ -85,7 +147,11 @@ export interface TextureImages {
 
 /** What a page shows a tree on: the stage, or a still drawing where there is no WebGL2. */
 export interface Picture {
-  setTree(grown: GrownTree, species: Species): void;
+  /**
+   * Shows another tree. `draft`: its springs begin with the wind of now instead of running from time 0; a tree that is set without it
+   * afterwards is again what its past makes of it, where time stands.
+   */
+  setTree(grown: GrownTree, species: Species, how?: { readonly draft?: boolean }): void;
   /** Lets `wind` blow after `fade` seconds of change; 0: at once. */
   setWind(wind: Wind, fade: number): void;
   /** Draws B beside A: `compare.wind` fades in as `setWind` does; null: A alone, and B costs nothing. */
@@ -110,6 +176,8 @@ export interface Picture {
   onScreen(): OnScreen;
   /** The piece at a point of the window (CSS pixels), in the pose as drawn lately or else at rest; null: none. */
   pickPiece(x: number, y: number): number | null;
+  /** The stem at a point of the window, likewise; clones are stems of their own. */
+  pickStem(x: number, y: number): number | null;
   /** Where the ground is at a point of the window; metres, tree space; null: the sky. */
   pickGround(x: number, y: number): { x: number; y: number } | null;
   /** The state textures of A or B, read back without holding up a frame. Rejects where there is no tree. */
@@ -118,6 +186,10 @@ export interface Picture {
   readPiece(piece: number, which?: 'A' | 'B'): Promise<Float32Array | null>;
   /** Draws the tree at `time` seconds without the interface, as a data: address of a PNG. */
   capture(time: number): string;
+  /** Another tree at rest, whole, on this stage and in its light, as a WebP or PNG; what is shown stays. Rejects where the browser cannot. */
+  portrait(grown: GrownTree, species: Species, options: PortraitOptions): Promise<Blob>;
+  /** Opens a drawing of the shown tree at any size that the GPU allows. Rejects with an Error that names the most where it does not. */
+  openCapture(options: CaptureOptions): Promise<Capture>;
 }
 
 /** What a picture tells its page. */
@@ -130,8 +202,12 @@ export interface PictureEvents {
   readonly onLost: (lost: boolean) => void;
   /** The reader turns the wind: radians from x to y in tree space, strength 0..1; `done`: let go. */
   readonly onHandle?: (direction: number, strength: number, done: boolean) => void;
-  /** The reader clicked on a branch. */
-  readonly onPickBranch?: (piece: number) => void;
+  /** The reader points at another stem than before, or at none. */
+  readonly onHoverStem?: (stem: number | null) => void;
+  /** The reader clicked on a stem, on a piece of it, or beside the tree: on none. */
+  readonly onPickStem?: (stem: number | null, piece: number | null) => void;
+  /** The reader drags a handle of the selected stem: the change since it was taken; `done`: let go. */
+  readonly onStemHandle?: (kind: StemHandle, change: StemHandleChange, done: boolean) => void;
   /** The reader clicked on the ground, metres, tree space: there a gust may start. */
   readonly onThrow?: (x: number, y: number) => void;
   /** The reader drags the line between A and B: its place, 0..1; `done`: let go. */

@@ -1,9 +1,11 @@
 import fc from 'fast-check';
+import { deflateSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import {
   ALL_LEVELS,
   decodeLink,
   encodeLink,
+  isLinkKey,
   LAYOUTS,
   type LinkDocument,
   OVERLAYS,
@@ -12,7 +14,10 @@ import {
   THEMES,
   VIEW_MODES,
 } from '../../../src/core/link/link.ts';
+import { bytesToBase64 } from '../../../src/core/link/text.ts';
+import { PLACES, type SpeciesEdits } from '../../../src/core/species/edits.ts';
 import { type Gust, STILL, type Wave, type Wind, type WindRecord } from '../../../src/core/wind/wind.ts';
+import { anyEdits } from '../species/any-edits.ts';
 
 const wave = (amplitude: number): Wave => ({
   on: true,
@@ -52,6 +57,8 @@ const winds = {
 const defaults: LinkDocument = roundDocument({
   species: 'quaking-aspen',
   ownSpecies: null,
+  edits: {},
+  treeName: null,
   seed: 1,
   time: 0,
   paused: false,
@@ -141,6 +148,8 @@ const anyDocument: fc.Arbitrary<LinkDocument> = fc
   .record({
     species: fc.constantFrom('quaking-aspen', 'black-tupelo'),
     ownSpecies: fc.constant(null),
+    edits: anyEdits,
+    treeName: fc.option(fc.string({ unit: 'binary', maxLength: 100 }), { nil: null }),
     seed: fc.nat(4294967295),
     time: number(0, 1e6),
     paused: fc.boolean(),
@@ -189,6 +198,76 @@ describe('link', () => {
       's=quaking-aspen&seed=7&t=12.5&paused=1&wind=breeze&strength=1&w1=0.4,17.2,12,3,2,0.25&w2=0.3,17.2,12,3,2,0.25' +
         '&w3=0.2,17.2,12,3,2,0.25&w4=0.1,17.2,12,3,2,0.25&model=spring&p=1&m=1',
     );
+  });
+
+  it('says what was changed of the species, and what the tree is called', () => {
+    const edits: SpeciesEdits = {
+      'foliage.outline': null,
+      'levels.1.downAngle': 0.1 + 0.2 + 44.7,
+      'wind.stiffness': [2, 0.8],
+      'bark.colour': '#ABC123',
+      'bark.kind': 'smooth',
+      'switches.paper': true,
+    };
+    const link = encodeLink({ ...defaults, edits, treeName: 'Grandmother\u2019s & mine' });
+    expect(link).toMatch(
+      /^s=quaking-aspen&seed=1&levels.1.downAngle=45&switches.paper=1&bark.kind=smooth&bark.colour=abc123&foliage.outline=none&wind.stiffness=2,0.8&called=Grandmother%E2%80%99s%20%26%20mine&t=0/,
+    );
+    const { document, faults } = decodeLink(link, options);
+    expect(faults).toEqual([]);
+    expect(document.treeName).toBe('Grandmother\u2019s & mine');
+    expect(document.edits).toEqual({ ...edits, 'levels.1.downAngle': 45, 'bark.colour': '#abc123' });
+    expect(Object.keys(document.edits)[0]).toBe('levels.1.downAngle');
+  });
+
+  it('packs a link that would be too long, and reads it again', () => {
+    const every: SpeciesEdits = Object.fromEntries(
+      [...PLACES].map(([path, { parameter: p }]) => [
+        path,
+        p.kind === 'number' ? p.max : p.kind === 'numbers' ? [p.min, p.max] : (p.default as string | boolean),
+      ]),
+    );
+    const long = { ...defaults, edits: every };
+    const link = encodeLink(long);
+    expect(link).toMatch(/^z=[\w-]+$/);
+    expect(link.length).toBeLessThan(1500);
+    expect(decodeLink(link, options)).toEqual({ document: roundDocument(long), faults: [] });
+    // What is typed beside it goes before what is in it.
+    const typed = decodeLink(`seed=77&${link}&tree.scale=12`, options).document;
+    expect([typed.seed, typed.edits['tree.scale']]).toEqual([77, 12]);
+  });
+
+  it('packs a species file of the reader, whatever letters it has', () => {
+    const ownSpecies = `{"name":"Łąka & <b>träd</b> 🌳","source":"${'a long story, '.repeat(200)}"}`;
+    const link = encodeLink({ ...defaults, ownSpecies });
+    expect(link.length).toBeLessThan(800);
+    expect(decodeLink(link, options).document.ownSpecies).toBe(ownSpecies);
+  });
+
+  it('does not unpack more than a link can be', () => {
+    const bomb = bytesToBase64(deflateSync(new Uint8Array(50_000_000)));
+    const { document, faults } = decodeLink(`z=${bomb}&seed=4`, options);
+    expect(faults.map((f) => f.key)).toEqual(['z']);
+    expect(document.seed).toBe(4);
+  });
+
+  it('has keys that an address knows from those of others', () => {
+    fc.assert(
+      fc.property(anyDocument, (document) => {
+        const keys = [...new URLSearchParams(encodeLink(document)).keys()];
+        expect(keys.filter((key) => !isLinkKey(key))).toEqual([]);
+      }),
+    );
+    expect(['utm_source', 'levels.9.curve', 'toString', 'w9'].filter(isLinkKey)).toEqual([]);
+  });
+
+  it('says which key was meant where it is plain', () => {
+    const allowed = (link: string) => decodeLink(link, options).faults.map((f) => f.allowed);
+    expect(allowed('levels.1.downangle=45')).toEqual(['levels.1.downAngle, if that was meant']);
+    expect(allowed('levels.7.downAngle=45')).toEqual(['levels.1.downAngle, if that was meant']);
+    expect(allowed('tiger=45')).toEqual(['nothing of this name']);
+    expect(allowed('tree.scale=none')).toEqual(['a number from 0.05 to 150 metres']);
+    expect(allowed('bark.colour=red')).toEqual(['a colour as rrggbb']);
   });
 
   it('reads links from the time of four waves and one model as they were meant, whatever the winds are now', () => {
@@ -302,6 +381,20 @@ describe('link', () => {
     ['arrows=maybe', 'arrows', 'maybe'],
     ['own=%%%', 'own', '%%%'],
     ['own=gICA', 'own', 'gICA'],
+    ['tree.scale=1e300', 'tree.scale', '1e300'],
+    ['tree.levels=2.5', 'tree.levels', '2.5'],
+    ['levels.1.downAngle=NaN', 'levels.1.downAngle', 'NaN'],
+    ['levels.4.downAngle=1', 'levels.4.downAngle', '1'],
+    ['switches.paper=yes', 'switches.paper', 'yes'],
+    ['bark.kind=scaly', 'bark.kind', 'scaly'],
+    ['bark.colour=%3Cb%3E', 'bark.colour', '<b>'],
+    ['wind.stiffness=1,,2', 'wind.stiffness', '1,,2'],
+    ['wind.stiffness=1,1,1,1,1,1,1,1,1', 'wind.stiffness', '1,1,1,1,1,1,1,1,1'],
+    ['tree.__proto__=1', 'tree.__proto__', '1'],
+    ['called=%20', 'called', ' '],
+    ['z=', 'z', ''],
+    ['z=%%', 'z', '%%'],
+    ['z=AAAA', 'z', 'AAAA'],
     ['tiger=1', 'tiger', '1'],
   ])('%s: says what is wrong and applies the rest', (bad, key, found) => {
     const { document, faults } = decodeLink(`${bad}&leaves=0`, options);
@@ -331,6 +424,12 @@ describe('link', () => {
           'w1=',
           'g1=',
           'own=e',
+          'file=e',
+          'z=',
+          'z=S7c',
+          'tree.scale=',
+          'wind.stiffness=',
+          'called=',
           't=1',
           'wind=own&name=',
           'profile=log',

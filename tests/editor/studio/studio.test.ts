@@ -10,6 +10,7 @@ import { createStudio, type Studio, type StudioHost } from '../../../src/editor/
 import type { Picture } from '../../../src/view/picture/picture.ts';
 import { shippedSpecies } from '../../core/pack/shipped-species.ts';
 import { GALE } from '../../core/wind/some-winds.ts';
+import { fakePreferences } from '../fakes.ts';
 
 const { packed } = growPacked(shippedSpecies('quaking-aspen'), 3, { levels: 2 });
 const other = growPacked(shippedSpecies('quaking-aspen'), 4, { levels: 2 }).packed;
@@ -23,7 +24,7 @@ function studioOf(change: Partial<LinkDocument> = {}) {
   const host = {
     document,
     session: undefined as never,
-    preferences: { theme: 'auto', folds: { studio: true }, studioHeight: null, shortcuts: true, visited: true },
+    preferences: { ...fakePreferences(), folds: { studio: true } },
     actions: { time: () => clock.time } as never,
     onFrame: (listener) => {
       listeners.add(listener);

@@ -1,0 +1,204 @@
+import type { ParameterValue, SpeciesEdits } from '../src/core/species/edits.ts';
+
+/** Where a picture is taken from. */
+export type PictureView =
+  /** The whole tree, from the side. */
+  | 'whole'
+  /** The foot of the trunk, up to a tenth of the tree. */
+  | 'foot'
+  /** The trunk from the ground to the crown. */
+  | 'trunk'
+  /** From straight above. */
+  | 'above'
+  /** A limb about half way up, some metres wide. */
+  | 'limb'
+  /** A spray of twigs and leaves, about a metre wide. */
+  | 'spray'
+  /** A few leaves, about a third of a metre wide. */
+  | 'leaf'
+  /** Half a metre of bark at breast height. */
+  | 'bark';
+
+/** Two pictures of one tree that differ in one parameter. */
+export interface ParameterPicture {
+  /** Without the level, as the pictures are named: `levels.downAngle` gives help/levels.downAngle-low.webp and -high.webp. */
+  readonly path: string;
+  /** Level whose parameter it is, where the path is one of `levels`. */
+  readonly level?: number;
+  readonly species: string;
+  readonly seed: number;
+  readonly low: ParameterValue;
+  readonly high: ParameterValue;
+  readonly view: PictureView;
+  /** Draw leaves, and stems of these levels alone (1: the trunk). */
+  readonly leaves: boolean;
+  readonly levelsShown?: number;
+  /** What both pictures need so that the parameter is seen. */
+  readonly edits?: SpeciesEdits;
+}
+
+const ASPEN = { species: 'quaking-aspen', seed: 3 } as const;
+const OAK = { species: 'california-black-oak', seed: 4 } as const;
+const TUPELO = { species: 'black-tupelo', seed: 2 } as const;
+const WILLOW = { species: 'weeping-willow', seed: 1 } as const;
+
+type Rest = Omit<ParameterPicture, 'path' | 'low' | 'high' | 'view' | 'leaves'> & { readonly leaves?: boolean };
+
+const pair = (
+  path: string,
+  low: ParameterValue,
+  high: ParameterValue,
+  view: PictureView,
+  rest: Rest,
+): ParameterPicture => ({
+  path,
+  low,
+  high,
+  view,
+  leaves: false,
+  ...rest,
+});
+
+const LIMBS = { level: 1, levelsShown: 2 } as const;
+const TRUNK = { level: 0, levelsShown: 1 } as const;
+
+/**
+ * What the help shows of each parameter: little and much of it, on the species that shows it best.
+ *
+ * No picture has what cannot be seen in one: what changes only the motion (`wind`), and readings of the paper that hardly differ.
+ */
+export const PARAMETER_PICTURES: readonly ParameterPicture[] = [
+  pair('tree.shape', 0, 6, 'whole', { ...ASPEN, leaves: true }),
+  pair('tree.crown', [1, 0.75, 0.5, 0.3, 0.1], [0.15, 0.5, 1, 0.9, 0.3], 'whole', { ...ASPEN, leaves: true }),
+  pair('tree.baseSize', 0.1, 0.6, 'whole', { ...ASPEN, leaves: true }),
+  pair('tree.scale', 6, 16, 'whole', { ...ASPEN, leaves: true, edits: { 'tree.scaleV': 0 } }),
+  pair('tree.zScale', 0.6, 1.5, 'whole', { ...ASPEN, leaves: true }),
+  pair('tree.levels', 2, 3, 'whole', { ...ASPEN }),
+  pair('tree.ratio', 0.008, 0.04, 'whole', { ...ASPEN, levelsShown: 2 }),
+  pair('tree.ratioPower', 0.7, 2, 'limb', { ...ASPEN }),
+  pair('tree.lobes', 3, 9, 'foot', { ...ASPEN, edits: { 'tree.lobeDepth': 0.2 } }),
+  pair('tree.lobeDepth', 0, 0.3, 'foot', { ...ASPEN }),
+  pair('tree.flare', 0, 2, 'foot', { ...ASPEN, edits: { 'tree.lobes': 0 } }),
+  pair('tree.attractionUp', -3, 3, 'whole', { ...TUPELO }),
+  pair('tree.bulges', 4, 16, 'trunk', { ...ASPEN, levelsShown: 1, edits: { 'tree.bulgeDepth': 0.3, 'tree.ratio': 0.06 } }),
+  pair('tree.bulgeDepth', 0, 0.4, 'trunk', { ...ASPEN, levelsShown: 1, edits: { 'tree.bulges': 10, 'tree.ratio': 0.06 } }),
+
+  pair('levels.scale', 0.5, 2, 'whole', { ...ASPEN, level: 0, levelsShown: 2 }),
+  pair('levels.length', 0.15, 0.55, 'whole', { ...ASPEN, ...LIMBS }),
+  pair('levels.lengthV', 0, 0.2, 'whole', { ...ASPEN, ...LIMBS }),
+  pair('levels.taper', 0, 1, 'trunk', { ...ASPEN, ...TRUNK, edits: { 'tree.ratio': 0.03 } }),
+  pair('levels.baseSplits', 0, 3, 'whole', {
+    ...ASPEN,
+    level: 0,
+    levelsShown: 2,
+    edits: { 'levels.0.splitAngle': 20, 'levels.0.curveRes': 8 },
+  }),
+  pair('levels.segSplits', 0, 1, 'whole', {
+    ...ASPEN,
+    ...TRUNK,
+    edits: { 'levels.0.splitAngle': 20, 'levels.0.curveRes': 5 },
+  }),
+  pair('levels.splitAngle', 8, 45, 'whole', {
+    ...ASPEN,
+    ...TRUNK,
+    edits: { 'levels.0.segSplits': 0.6, 'levels.0.curveRes': 6 },
+  }),
+  pair('levels.splitAngleV', 0, 30, 'whole', {
+    ...ASPEN,
+    ...TRUNK,
+    edits: { 'levels.0.segSplits': 0.6, 'levels.0.curveRes': 6, 'levels.0.splitAngle': 25 },
+  }),
+  pair('levels.curveRes', 3, 16, 'whole', {
+    ...ASPEN,
+    ...LIMBS,
+    edits: { 'levels.1.curve': -110, 'levels.1.curveV': 0, 'levels.1.length': 0.5 },
+  }),
+  pair('levels.curve', -80, 80, 'whole', {
+    ...ASPEN,
+    ...LIMBS,
+    edits: { 'levels.1.curveRes': 10, 'levels.1.curveV': 0 },
+  }),
+  pair('levels.curveBack', -90, 90, 'whole', {
+    ...ASPEN,
+    ...LIMBS,
+    edits: { 'levels.1.curve': 30, 'levels.1.curveRes': 12, 'levels.1.curveV': 0, 'levels.1.length': 0.5 },
+  }),
+  pair('levels.curveV', 0, 200, 'whole', { ...ASPEN, ...LIMBS, edits: { 'levels.1.curveRes': 12 } }),
+  pair('levels.curveSideV', 0, 200, 'whole', {
+    ...ASPEN,
+    ...LIMBS,
+    edits: { 'levels.1.curveRes': 12, 'levels.1.curveV': 0 },
+  }),
+  pair('levels.helixTurns', 0.1, 0.5, 'trunk', {
+    ...ASPEN,
+    ...TRUNK,
+    edits: { 'levels.0.curveV': -35, 'levels.0.curveRes': 8 },
+  }),
+  pair('levels.downAngle', 25, 110, 'whole', {
+    ...ASPEN,
+    ...LIMBS,
+    edits: { 'levels.1.downAngleV': 0, 'levels.1.curve': 0 },
+  }),
+  pair('levels.downAngleV', -60, 40, 'whole', { ...ASPEN, ...LIMBS, edits: { 'levels.1.curve': 0 } }),
+  pair('levels.rotate', -90, 140, 'above', { ...ASPEN, ...LIMBS, edits: { 'tree.ratio': 0.03 } }),
+  pair('levels.rotateV', 0, 60, 'above', { ...ASPEN, ...LIMBS, edits: { 'levels.1.rotate': 180, 'tree.ratio': 0.03 } }),
+  pair('levels.branches', 12, 80, 'whole', { ...ASPEN, ...LIMBS }),
+
+  pair('leaves.count', 6, 50, 'whole', { ...ASPEN, leaves: true }),
+  pair('leaves.shape', 0, 4, 'leaf', { ...ASPEN, leaves: true, edits: { 'foliage.outline': null } }),
+  pair('leaves.scale', 0.08, 0.35, 'spray', { ...ASPEN, leaves: true }),
+  pair('leaves.scaleX', 0.25, 1.2, 'leaf', { ...ASPEN, leaves: true }),
+  pair('leaves.petiole', 0, 1.5, 'leaf', { ...ASPEN, leaves: true }),
+  pair('leaves.bend', 0, 1, 'spray', { ...ASPEN, leaves: true }),
+  pair('leaves.quality', 0.2, 2, 'whole', { ...ASPEN, leaves: true }),
+  pair('leaves.downAngle', 10, 100, 'spray', { ...ASPEN, leaves: true, edits: { 'leaves.bend': 0 } }),
+  pair('leaves.rotate', -90, 77, 'spray', { ...ASPEN, leaves: true, edits: { 'leaves.bend': 0 } }),
+
+  pair('pruning.ratio', 0, 1, 'whole', {
+    ...ASPEN,
+    leaves: true,
+    edits: { 'pruning.width': 0.14, 'pruning.widthPeak': 0.4 },
+  }),
+  pair('pruning.width', 0.08, 0.2, 'whole', { ...ASPEN, leaves: true, edits: { 'pruning.ratio': 1 } }),
+  pair('pruning.widthPeak', 0.15, 0.85, 'whole', {
+    ...ASPEN,
+    leaves: true,
+    edits: { 'pruning.ratio': 1, 'pruning.width': 0.18 },
+  }),
+  pair('pruning.powerLow', 0.1, 2, 'whole', { ...WILLOW, leaves: true }),
+  pair('pruning.powerHigh', 0.1, 2, 'whole', {
+    ...ASPEN,
+    leaves: true,
+    edits: { 'pruning.ratio': 1, 'pruning.width': 0.2, 'pruning.widthPeak': 0.3 },
+  }),
+
+  pair('switches.branchesAboveBase', false, true, 'whole', { ...ASPEN, levelsShown: 2 }),
+  pair('switches.halveCloning', false, true, 'whole', { ...OAK, levelsShown: 2 }),
+
+  pair('bark.kind', 'smooth', 'plated', 'bark', { ...TUPELO }),
+  pair('bark.colour', '#d9dac6', '#6b4a33', 'bark', { ...ASPEN }),
+  pair('bark.dark', '#8a8474', '#15110d', 'bark', { ...TUPELO }),
+  pair('bark.grain', 0.06, 0.4, 'bark', { ...TUPELO }),
+  pair('bark.roughness', 0.2, 1, 'bark', { ...ASPEN }),
+  pair('bark.relief', 0, 1, 'bark', { ...TUPELO }),
+
+  pair('foliage.outline', 1, 2, 'leaf', { ...OAK, leaves: true }),
+  pair('foliage.size', 0.6, 1.8, 'spray', { ...ASPEN, leaves: true }),
+  pair('foliage.colour', '#3f6b24', '#c9962b', 'whole', { ...ASPEN, leaves: true }),
+  pair('foliage.under', '#5c7443', '#e3e8d6', 'leaf', { ...ASPEN, leaves: true }),
+  pair('foliage.glow', '#5f7a2a', '#ffe46b', 'spray', { ...ASPEN, leaves: true }),
+  pair('foliage.variation', 0, 1, 'whole', { ...ASPEN, leaves: true }),
+  pair('foliage.roughness', 0.1, 1, 'leaf', { ...ASPEN, leaves: true }),
+];
+
+/** The path of a picture's parameter in a species. */
+export const placeOf = ({ path, level }: ParameterPicture): string =>
+  level === undefined ? path : path.replace('levels.', `levels.${level}.`);
+
+/** What `public/help/index.json` holds: the values that the pictures show, for those that are there. The page reads it. */
+export const pictureIndex = (
+  there: (path: string) => boolean,
+): Readonly<Record<string, { readonly low: ParameterValue; readonly high: ParameterValue }>> =>
+  Object.fromEntries(
+    PARAMETER_PICTURES.filter(({ path }) => there(path)).map(({ path, low, high }) => [path, { low, high }]),
+  );

@@ -1,0 +1,17 @@
+import { createStore, del, entries, set } from 'idb-keyval';
+import type { Keep } from './autosave.ts';
+import { Slots } from './slots.ts';
+import { Work } from './work.ts';
+
+/** The reader's work in this browser's IndexedDB. */
+export function pageWork(): Work {
+  const store = createStore('windgrove', 'work');
+  const keep: Keep = {
+    entries: () => entries<string, unknown>(store),
+    set: (key, value) => set(key, value, store),
+    del: (key) => del(key, store),
+  };
+  const newSlot = (): string =>
+    [...crypto.getRandomValues(new Uint8Array(8))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+  return new Work(keep, new Slots(), newSlot);
+}

@@ -1,0 +1,14 @@
+/** What stands around the content of every dialog. */
+export const dialogWords = {
+  headings: {
+    help: 'Keys and help',
+    palette: 'Find a command',
+    history: 'History',
+    export: 'Export',
+    variety: 'More like this',
+  },
+  close: 'Close',
+  opening: 'Opening…',
+  failed: (reason: string) => `This could not be loaded (${reason}).`,
+  again: 'Try again',
+} as const;

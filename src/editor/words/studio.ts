@@ -1,0 +1,22 @@
+/** The wind studio: what measures the wind and the answer of a branch. What is said of a probe is in words/probe.ts. */
+export const studioWords = {
+  name: 'Wind studio',
+  tabs: { plots: 'Plots', field: 'Field', textures: 'Textures', compare: 'Compare', anemometer: 'Anemometer' },
+  open: 'Open the wind studio',
+  close: 'Close the wind studio',
+  height: 'Height of the wind studio',
+  heightTitle: 'Pull to make the studio higher or lower; a double click puts it back',
+  failed: (reason: string): string => `The studio could not be loaded (${reason}). Reload the page to try again.`,
+  opening: 'Opening the studio…',
+  noTree: 'The studio listens as soon as a tree stands.',
+  probeAt: (place: string): string => `Probe at ${place}`,
+  putBack: 'Put back',
+  tapAnother: 'Tap another.',
+  clickAnother: 'Click a branch to move it.',
+  past: (part: number): string => `Reading the past: ${Math.round(100 * part)}\u2009%`,
+  span: 'Seconds shown',
+  hold: 'Hold plots',
+  held: 'Plots held',
+  holdTitle: 'The plots stand still; time goes on',
+  csv: 'Download CSV',
+} as const;

@@ -1,0 +1,47 @@
+/** The dialog in which one tree is chosen among several. */
+export const varietyWords = {
+  tabs: { seeds: 'Seeds', like: 'Variants', blend: 'Blend' },
+  tabsLabel: 'How to find another tree',
+  /** Of a tree in the grid: what its picture says to those who do not see it. */
+  tree: (name: string, seed: number) => `${name}, seed ${seed}`,
+  variant: (number: number) => `Variant ${number}`,
+  seed: (seed: number) => `no. ${seed}`,
+  number: (number: number) => `${number}`,
+  metres: (height: number) => `${height < 10 ? height.toFixed(1) : Math.round(height)}\u2009m`,
+  now: 'now',
+  failed: 'Does not grow',
+  drawing: (done: number, all: number) => (done < all ? `Drawing ${done} of ${all}` : ''),
+  noTree: 'Once a tree stands, you can choose others here.',
+  seeds: {
+    intro: 'One species, twelve seeds: every tree is its own.',
+    grid: 'Twelve seeds',
+    others: '12 others',
+    before: '12 before',
+    take: 'Take this tree',
+  },
+  like: {
+    intro: 'Twelve trees near yours. Each moves within what its species allows; what you locked stays.',
+    grid: 'Twelve variants',
+    amount: 'Difference',
+    amountHelp: 'How far the variants may go: all the way is the whole variation of the species',
+    others: '12 others',
+    on: 'Go on from this',
+    back: 'Back',
+    round: (round: number) => `Step ${round}`,
+    take: 'Take this tree',
+  },
+  blend: {
+    intro: 'Two species, and all that lies between them.',
+    other: 'Blend with',
+    share: 'Its share',
+    preview: (name: string) => `Preview: ${name}`,
+    take: 'Take this blend',
+    locked: (count: number) => (count === 1 ? '1 locked value stays.' : `${count} locked values stay.`),
+    loading: 'Loading…',
+  },
+  took: {
+    seed: (seed: number) => `Seed ${seed} grows`,
+    variant: 'The variant grows',
+    blend: (name: string) => `${name} grows`,
+  },
+} as const;
