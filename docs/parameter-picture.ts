@@ -8,10 +8,10 @@ import { openPicture } from '../src/view/picture/open-picture.ts';
 import { PARAMETER_PICTURES, type ParameterPicture, placeOf } from './parameter-pictures.ts';
 import { textOf } from './tree-page.ts';
 
-/** Pixels: twice what the help shows. */
+/** Pixels: twice what the help shows; drawn twice as large again, which smooths twigs. */
 const SIZE = { width: 280, height: 280 };
-/** Light paper behind all of them, in both themes: bark is dark. */
-const PAPER = '#eef1ec';
+/** A hazy sky behind all of them, in both themes: white bark and dark bark both stand out from it. */
+const PAPER = '#c3d0d3';
 /** Tangent of half the camera's vertical field of view, and room about what is shown. */
 const HALF = Math.tan((15 * Math.PI) / 180);
 const AIR = 1.05;
@@ -100,14 +100,20 @@ async function taken(entry: ParameterPicture): Promise<readonly string[]> {
   for (const [i, tree] of trees.entries()) {
     picture.setTree(tree, kinds[i]!);
     picture.show({ levelsShown: entry.levelsShown ?? 9, showLeaves: entry.leaves, view: 'shaded' });
-    const capture = await picture.openCapture({ ...SIZE, transparent: true, camera });
+    const capture = await picture.openCapture({
+      width: 2 * SIZE.width,
+      height: 2 * SIZE.height,
+      transparent: true,
+      camera,
+    });
     await capture.draw(0);
     const canvas = document.createElement('canvas');
     Object.assign(canvas, SIZE);
     const context = canvas.getContext('2d', { alpha: false })!;
     context.fillStyle = PAPER;
     context.fillRect(0, 0, SIZE.width, SIZE.height);
-    context.drawImage(capture.canvas, 0, 0);
+    context.imageSmoothingQuality = 'high';
+    context.drawImage(capture.canvas, 0, 0, SIZE.width, SIZE.height);
     capture.close();
     pictures.push(canvas.toDataURL('image/webp', 0.72));
   }

@@ -80,8 +80,16 @@ export const PARAMETER_PICTURES: readonly ParameterPicture[] = [
   pair('tree.lobeDepth', 0, 0.3, 'foot', { ...ASPEN }),
   pair('tree.flare', 0, 2, 'foot', { ...ASPEN, edits: { 'tree.lobes': 0 } }),
   pair('tree.attractionUp', -3, 3, 'whole', { ...TUPELO }),
-  pair('tree.bulges', 4, 16, 'trunk', { ...ASPEN, levelsShown: 1, edits: { 'tree.bulgeDepth': 0.3, 'tree.ratio': 0.06 } }),
-  pair('tree.bulgeDepth', 0, 0.4, 'trunk', { ...ASPEN, levelsShown: 1, edits: { 'tree.bulges': 10, 'tree.ratio': 0.06 } }),
+  pair('tree.bulges', 4, 16, 'trunk', {
+    ...ASPEN,
+    levelsShown: 1,
+    edits: { 'tree.bulgeDepth': 0.3, 'tree.ratio': 0.06 },
+  }),
+  pair('tree.bulgeDepth', 0, 0.4, 'trunk', {
+    ...ASPEN,
+    levelsShown: 1,
+    edits: { 'tree.bulges': 10, 'tree.ratio': 0.06 },
+  }),
 
   pair('levels.scale', 0.5, 2, 'whole', { ...ASPEN, level: 0, levelsShown: 2 }),
   pair('levels.length', 0.15, 0.55, 'whole', { ...ASPEN, ...LIMBS }),

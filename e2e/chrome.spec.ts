@@ -80,7 +80,7 @@ test('keys undo, redo and open what the table says; a text box keeps its own', a
   for (const [key, name] of [
     ['?', 'Keys and help'],
     ['y', 'History'],
-    ['m', 'More like this'],
+    ['m', 'Other trees'],
     ['Control+e', 'Export'],
   ] as const) {
     await page.keyboard.press(key);

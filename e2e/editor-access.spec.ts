@@ -54,7 +54,7 @@ for (const theme of ['light', 'dark'] as const) {
     for (const [key, name] of [
       ['Control+k', 'Find a command'],
       ['y', 'History'],
-      ['m', 'More like this'],
+      ['m', 'Other trees'],
       ['Control+e', 'Export'],
     ] as const) {
       await page.keyboard.press(key);

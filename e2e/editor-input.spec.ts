@@ -80,7 +80,7 @@ test('a species file of your own grows, travels in the link, and its name is tex
   await choose(page, JSON.stringify({ ...aspen(), name, latin: '<b>x</b>' }));
   await expect(page.getByRole('heading', { level: 1 })).toHaveText(name);
   await ready(page);
-  await expect(page).toHaveURL(/own=/);
+  await expect(page).toHaveURL(/[#&](own|z)=/);
   const other = await browser.newPage();
   await other.goto(page.url());
   await ready(other);

@@ -37,6 +37,29 @@ const kept = (page: Page): Promise<string[]> =>
       }),
   );
 
+test('a drag that goes on after an undo, or after another window had the focus, is one more step', async ({ page }) => {
+  const complaints = await open(page, BARE);
+  const box = (await strength(page).boundingBox())!;
+  const to = (part: number): Promise<void> =>
+    page.mouse.move(box.x + box.width * part, box.y + box.height / 2, { steps: 4 });
+  const interruptions = [
+    [() => page.keyboard.press('Control+z'), 1],
+    [() => page.evaluate(() => void window.dispatchEvent(new Event('blur'))), 2],
+  ] as const;
+  await page.keyboard.press('y');
+  for (const [interrupt, more] of interruptions) {
+    const before = await page.locator('wg-history .step').count();
+    await to(0.7);
+    await page.mouse.down();
+    await to(0.6);
+    await interrupt();
+    await to(0.4);
+    await page.mouse.up();
+    await expect(page.locator('wg-history .step')).toHaveCount(before + more);
+  }
+  expect(complaints).toEqual([]);
+});
+
 test('a drag is one step; undo, redo and a click in the list go there and back', async ({ page }) => {
   const complaints = await open(page, BARE);
   const undo = page.getByRole('button', { name: /^Undo/ });
@@ -215,6 +238,8 @@ async function drop(page: Page, name: string, text: string): Promise<void> {
 
 test('a project is saved, and opened again by the file chooser and by a drop', async ({ page }) => {
   await withoutPickers(page);
+  // Playwright catches choosers from the first listener on, a moment after it is there.
+  page.on('filechooser', () => {});
   const complaints = await open(page, BARE);
   await page.keyboard.press('b');
   await page.keyboard.press('k');

@@ -91,6 +91,12 @@ export class Grower {
     this.actions = actions;
     this.onTree = onTree;
     const grow = () => void this.grow();
+    // Who changes a number, or undoes it, wants to see what that does.
+    watch(
+      document,
+      (d) => d.edits,
+      () => actions.setPeek(false),
+    );
     watch(document, (d) => d, grow);
     watch(
       session,

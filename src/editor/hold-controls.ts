@@ -22,6 +22,10 @@ export function listenToHolds(actions: Pick<Actions, 'hold' | 'release' | 'holdK
     actions.release();
     if (matches(event.target, DRAGGED)) actions.hold();
   });
+  listen('pointermove', (event) => {
+    // An undo or another window ended the hold, and the drag goes on: what is left of it is one step again.
+    if (event.buttons !== 0 && matches(event.target, DRAGGED)) actions.hold();
+  });
   listen('pointerup', release);
   listen('pointercancel', release);
   listen('blur', (event) => {

@@ -1,6 +1,6 @@
 import type { Editor } from './editor.ts';
 import { type Key, onMac, pressed, sameKey } from './keys.ts';
-import { COMMANDS, type CommandGroup, drawLevels } from './shortcuts.ts';
+import { COMMANDS, type Command, type CommandGroup, drawLevels } from './shortcuts.ts';
 
 /** Input elements in which letters, digits and arrows are no text. */
 const PLAIN = ['range', 'checkbox', 'radio', 'file', 'color', 'button'];
@@ -31,6 +31,13 @@ function taken(target: EventTarget | null, { key, mod }: Key): boolean {
 /** Listens to the whole page and does what the table of commands says; returns how to stop. */
 export function listenToKeys(editor: Editor): () => void {
   const mac = onMac();
+  /** What a key that stayed down has switched on for that time. */
+  let held: { readonly key: Key; readonly command: Command } | null = null;
+  const onKeyUp = (event: KeyboardEvent): void => {
+    if (held?.key.key !== event.key.toLowerCase()) return;
+    held.command.act!(editor);
+    held = null;
+  };
   const onKey = (event: KeyboardEvent): void => {
     if (event.defaultPrevented || event.isComposing) return;
     const key = pressed(event, mac);
@@ -52,16 +59,22 @@ export function listenToKeys(editor: Editor): () => void {
     if (!found || (editor.session.getState().embed && !IN_FRAMES.includes(found.group))) return;
     // Even where it can do nothing now: the browser's own meaning of the key would surprise.
     event.preventDefault();
+    if (event.repeat && !found.repeats) {
+      if (found.whileHeld && (found.enabled?.(editor) ?? true)) held = { key, command: found };
+      return;
+    }
     if (found.enabled?.(editor) ?? true) found.act!(editor);
   };
   const onInput = (event: Event): void => void typing.add(event.target!);
   const onChange = (event: Event): void => void typing.delete(event.target!);
   window.addEventListener('keydown', onKey);
+  window.addEventListener('keyup', onKeyUp);
   window.addEventListener('input', onInput, true);
   window.addEventListener('change', onChange, true);
   window.addEventListener('focusout', onChange, true);
   return () => {
     window.removeEventListener('keydown', onKey);
+    window.removeEventListener('keyup', onKeyUp);
     window.removeEventListener('input', onInput, true);
     window.removeEventListener('change', onChange, true);
     window.removeEventListener('focusout', onChange, true);

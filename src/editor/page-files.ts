@@ -80,8 +80,15 @@ export const pageFiles: Pick<Services, 'write' | 'pick'> = {
       const input = document.createElement('input');
       input.type = 'file';
       input.accept = [...Object.keys(OPENED), ...Object.values(OPENED).flat()].join();
-      input.addEventListener('change', () => done(input.files?.[0] ? { file: input.files[0], handle: null } : null));
-      input.addEventListener('cancel', () => done(null));
+      const end = (): void => {
+        input.remove();
+        done(input.files?.[0] ? { file: input.files[0], handle: null } : null);
+      };
+      input.addEventListener('change', end);
+      input.addEventListener('cancel', end);
+      // In the page, so that no browser clears it away while the reader looks for the file.
+      input.hidden = true;
+      document.body.append(input);
       input.click();
     });
   },

@@ -1,4 +1,4 @@
-import { createStore, del, entries, set } from 'idb-keyval';
+import { createStore, del, entries, promisifyRequest } from 'idb-keyval';
 import type { Keep } from './autosave.ts';
 import { Slots } from './slots.ts';
 import { Work } from './work.ts';
@@ -8,7 +8,13 @@ export function pageWork(): Work {
   const store = createStore('windgrove', 'work');
   const keep: Keep = {
     entries: () => entries<string, unknown>(store),
-    set: (key, value) => set(key, value, store),
+    set: (key, value) =>
+      store('readwrite', (work) => {
+        work.put(value, key);
+        // A page that is leaving does not hear the answer, and a transaction that nobody ends is undone.
+        work.transaction.commit?.();
+        return promisifyRequest(work.transaction);
+      }),
     del: (key) => del(key, store),
   };
   const newSlot = (): string =>

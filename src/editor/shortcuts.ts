@@ -16,6 +16,10 @@ export interface Command {
   readonly act?: (editor: Editor) => void;
   /** Whether it can be done now; absent: always. */
   readonly enabled?: (editor: Editor) => boolean;
+  /** A key that stays down does it again and again. */
+  readonly repeats?: true;
+  /** A key that stays down does it for as long: let go, it is done once more, which takes it back. */
+  readonly whileHeld?: true;
 }
 
 const key = (name: string, shown?: string): Key => (shown === undefined ? { key: name } : { key: name, shown });
@@ -41,6 +45,7 @@ export const COMMANDS: readonly Command[] = [
     keys: [mod('z')],
     act: (e) => e.actions.undo(),
     enabled: (e) => e.session.getState().canUndo,
+    repeats: true,
   },
   {
     id: 'redo',
@@ -48,6 +53,7 @@ export const COMMANDS: readonly Command[] = [
     keys: [modShift('z'), mod('y')],
     act: (e) => e.actions.redo(),
     enabled: (e) => e.session.getState().canRedo,
+    repeats: true,
   },
   { id: 'history', group: 'edit', keys: [key('y')], act: (e) => e.actions.openDialog('history') },
   { id: 'snapshot', group: 'edit', keys: [key('k')], act: (e) => e.actions.takeSnapshot('') },
@@ -62,6 +68,7 @@ export const COMMANDS: readonly Command[] = [
     keys: [key('\\')],
     act: (e) => e.actions.setPeek(!e.session.getState().peek),
     enabled: (e) => edited(e) || e.session.getState().peek,
+    whileHeld: true,
   },
   { id: 'reset', group: 'tree', keys: [], act: (e) => e.actions.resetAll(), enabled: edited },
   { id: 'levelUp', group: 'tree', keys: [key('[')], act: (e) => level(e, -1) },
@@ -103,8 +110,8 @@ export const COMMANDS: readonly Command[] = [
   { id: 'deleteGust', group: 'wind', keys: [key('delete')] },
 
   { id: 'play', group: 'time', keys: [key(' ')], act: (e) => e.actions.toggle() },
-  { id: 'stepOn', group: 'time', keys: [key('.')], act: (e) => e.actions.step(1) },
-  { id: 'stepBack', group: 'time', keys: [key(',')], act: (e) => e.actions.step(-1) },
+  { id: 'stepOn', group: 'time', keys: [key('.')], act: (e) => e.actions.step(1), repeats: true },
+  { id: 'stepBack', group: 'time', keys: [key(',')], act: (e) => e.actions.step(-1), repeats: true },
   { id: 'slow', group: 'time', keys: [key('s')], act: (e) => e.actions.toggleSlow() },
   { id: 'start', group: 'time', keys: [key('0')], act: (e) => e.actions.seek(0) },
 

@@ -29,10 +29,11 @@ export function stemHandles(document: DocumentStore, session: SessionStore, acti
       const from = PLACES.has(path) ? presentValue(base, document.getState().edits, path) : null;
       if (typeof from !== 'number') return;
       taken = { path, from };
-      actions.hold();
-      actions.holdEdit();
     }
     if (!taken) return;
+    // Each time: an undo or another window may have ended the hold meanwhile.
+    actions.hold();
+    actions.holdEdit();
     const parameter = PLACES.get(taken.path)!.parameter as NumberParameter;
     actions.setParameter(taken.path, changedBy(parameter, taken.from, change));
     if (!done) return;

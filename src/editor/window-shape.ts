@@ -3,7 +3,7 @@ import { watch } from './document-store.ts';
 import type { SessionStore } from './session.ts';
 
 /** Below this many pixels there is no room for panels at both sides. */
-const NARROW = 880;
+const NARROW = 768;
 
 /** Keeps `session.narrow` and the class `narrow` of the page. */
 export function followWidth(session: SessionStore): void {

@@ -28,6 +28,8 @@ export class Work {
   private readonly keep: Keep;
   private readonly slots: Pick<Slots, 'slot' | 'remembered' | 'living' | 'claim'>;
   private readonly newSlot: () => string;
+  /** The page has begun without what was kept. */
+  private late = false;
   private readonly found: Promise<{ own: string | null; entries: [string, unknown][]; living: ReadonlySet<string> }>;
 
   /** Begins to look for what was kept. */
@@ -36,18 +38,21 @@ export class Work {
     this.slots = slots;
     this.newSlot = newSlot;
     const nothing = { own: null, entries: [], living: new Set<string>() };
-    const late = new Promise<typeof nothing>((done) => void setTimeout(() => done(nothing), PATIENCE));
+    const late = new Promise<typeof nothing>((done) => {
+      setTimeout(() => {
+        this.late = true;
+        done(nothing);
+      }, PATIENCE);
+    });
     // No memory at all (a private window): the page starts as on a first visit.
     this.found = Promise.race([this.look().catch(() => nothing), late]);
   }
 
   private async look() {
     const remembered = this.slots.remembered();
-    const [entries, own] = await Promise.all([
-      this.keep.entries(),
-      // A copy of a living tab has its own slot.
-      remembered === null ? false : this.slots.claim(remembered),
-    ]);
+    const entries = await this.keep.entries();
+    // A copy of a living tab has its own slot; and where nobody has read what is in a slot, nobody may write over it.
+    const own = remembered !== null && !this.late && (await this.slots.claim(remembered));
     return { own: own ? remembered : null, entries, living: await this.slots.living() };
   }
 

@@ -231,6 +231,24 @@ describe('the grower', () => {
     expect(asked).toHaveLength(1);
   });
 
+  it('shows a change that is made while it is compared, and compares no more', async () => {
+    scale(20);
+    await soon();
+    await latest().stand();
+    actions.setPeek(true);
+    await soon();
+    scale(25);
+    await soon();
+    await latest().stand();
+    expect(session.getState().peek).toBe(false);
+    expect(drawn.at(-1)![0]).toBe(25);
+    actions.setPeek(true);
+    actions.undo();
+    await soon();
+    expect(session.getState().peek).toBe(false);
+    expect(session.getState().tree!.species.scale).toBe(20);
+  });
+
   it('says why a tree cannot be grown, and goes back to the last whole one, its history too', async () => {
     scale(16);
     await soon();

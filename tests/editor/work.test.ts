@@ -141,6 +141,25 @@ describe('what a browser keeps', () => {
     await vi.advanceTimersByTimeAsync(2000);
     expect((await waiting).document.getState().seed).toBe(3);
   });
+
+  it('is not written over by a tab that began before it could be read', async () => {
+    const tab = await browser.open(wanting(1));
+    tab.document.setState({ seed: 2 });
+    await tab.soon();
+    tab.close();
+    let answer = (): void => {};
+    const { entries } = browser.keep;
+    browser.keep.entries = () => new Promise((done) => (answer = () => done(entries())));
+    const waiting = browser.open(wanting(5), tab.slot);
+    await vi.advanceTimersByTimeAsync(2000);
+    const late = await waiting;
+    answer();
+    late.document.setState({ seed: 6 });
+    await late.soon();
+    expect(late.slot).not.toBe(tab.slot);
+    expect(browser.kept.get(tab.slot)).toMatchObject({ document: { seed: 2 } });
+    expect(browser.kept.get(late.slot)).toMatchObject({ document: { seed: 6 } });
+  });
 });
 
 /** A tab that was closed with a tree of this seed, made from the first. */

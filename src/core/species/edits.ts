@@ -20,6 +20,13 @@ export interface ParameterPlace {
   readonly level?: number;
 }
 
+/** What branches read and a trunk too: how many trunks there are, and how far they lean (weber-penn.md, row 52). */
+const TRUNKS_TOO: readonly string[] = ['branches', 'downAngle', 'downAngleV'];
+
+/** Whether stems of a level read the parameter. */
+const isRead = ({ levels, key }: Parameter, level: number): boolean =>
+  levels === undefined || (level === 0) === (levels === 'trunk') || (level === 0 && TRUNKS_TOO.includes(key));
+
 /** Every place of a species that has a parameter, by path, in the order of the table. */
 export const PLACES: ReadonlyMap<string, ParameterPlace> = new Map(
   GROUPS.flatMap(({ group, parameters }) => {
@@ -27,7 +34,7 @@ export const PLACES: ReadonlyMap<string, ParameterPlace> = new Map(
     const levels = Array.from({ length: MOST_LEVELS }, (_, level) => level);
     return levels.flatMap((level) =>
       parameters
-        .filter((p) => (p.levels === 'trunk' ? level === 0 : p.levels === 'branches' ? level > 0 : true))
+        .filter((p) => isRead(p, level))
         .map((parameter) => place(`levels.${level}.${parameter.key}`, parameter, level)),
     );
   }).map((each) => [each.path, each]),

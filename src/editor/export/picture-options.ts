@@ -1,5 +1,8 @@
 import { isAllowed } from '../../core/file/allowed.ts';
 import { type ChoiceParameter, type FlagParameter, type NumberParameter, number } from '../../core/file/parameter.ts';
+import { exportWords } from '../words/export.ts';
+
+const words = exportWords.pictures;
 
 /** What is taken of the picture. */
 export type PictureKind = 'picture' | 'sequence' | 'video';
@@ -31,7 +34,7 @@ const common = { group: 'picture', symbol: '', section: '' } as const;
 /** The table of the pictures; the dialog draws it as it draws the export's own. */
 export const PICTURE_PARAMETERS: readonly PictureParameter[] = [
   {
-    ...number('picture', 'width', 'Width', 'Pixels from side to side.', [16, 16_384, 2], {
+    ...number('picture', 'width', words.width.label, words.width.help, [16, 16_384, 2], {
       integer: true,
       unit: 'px',
       default: 1920,
@@ -39,7 +42,7 @@ export const PICTURE_PARAMETERS: readonly PictureParameter[] = [
     kinds: ALL,
   },
   {
-    ...number('picture', 'height', 'Height', 'Pixels from top to bottom.', [16, 16_384, 2], {
+    ...number('picture', 'height', words.height.label, words.height.help, [16, 16_384, 2], {
       integer: true,
       unit: 'px',
       default: 1080,
@@ -50,20 +53,19 @@ export const PICTURE_PARAMETERS: readonly PictureParameter[] = [
     ...common,
     kind: 'flag',
     key: 'transparent',
-    label: 'Transparent',
-    help: 'The tree alone: no sky, no ground, no shadow on it.',
+    ...words.transparent,
     default: false,
     kinds: ['picture', 'sequence'],
   },
   {
-    ...number('picture', 'rate', 'Frames a second', 'How many pictures show a second.', [1, 120, 1], {
+    ...number('picture', 'rate', words.rate.label, words.rate.help, [1, 120, 1], {
       integer: true,
       default: 30,
     }),
     kinds: FILMS,
   },
   {
-    ...number('picture', 'seconds', 'Length', 'How long it runs, from the time that is shown.', [0.1, 120, 0.1], {
+    ...number('picture', 'seconds', words.seconds.label, words.seconds.help, [0.1, 120, 0.1], {
       unit: 's',
       default: 6,
     }),
@@ -73,8 +75,7 @@ export const PICTURE_PARAMETERS: readonly PictureParameter[] = [
     ...common,
     kind: 'flag',
     key: 'loop',
-    label: 'Comes around',
-    help: 'The wind is nudged so that the end goes over into the beginning without a seam.',
+    ...words.loop,
     default: true,
     kinds: FILMS,
   },
@@ -82,8 +83,7 @@ export const PICTURE_PARAMETERS: readonly PictureParameter[] = [
     ...common,
     kind: 'choice',
     key: 'container',
-    label: 'Format',
-    help: 'MP4 plays nearly everywhere, WebM in browsers; the first takes what this browser writes best.',
+    ...words.container,
     choices: ['auto', 'mp4', 'webm'],
     default: 'auto',
     kinds: ['video'],
@@ -92,8 +92,7 @@ export const PICTURE_PARAMETERS: readonly PictureParameter[] = [
     ...common,
     kind: 'choice',
     key: 'quality',
-    label: 'Quality',
-    help: 'Higher keeps single leaves apart and makes a larger file.',
+    ...words.quality,
     choices: ['medium', 'high', 'very-high'],
     default: 'high',
     kinds: ['video'],

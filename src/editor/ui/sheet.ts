@@ -100,17 +100,19 @@ class Sheet extends Part {
   }
 }
 
-/** While a slider or a dial is held, the rest of the sheet steps back so that the tree is seen. */
+/** While a slider, a dial or a point of a curve is held, the rest of the sheet steps back so that the tree is seen. */
 function hold(event: PointerEvent): void {
-  const held = event.target instanceof Element && event.target.closest('input[type="range"], .dial');
+  const held = event.target instanceof Element && event.target.closest('input[type="range"], .dial, .curve [data-drag]');
   if (!held) return;
   const field = held.closest('.field, .wave-head, .gust-head') ?? held;
+  // A curve may stand in the row of its parameter or by itself.
+  const stay = [field, held.closest('.curve') ?? field];
   const root = document.documentElement;
   root.classList.add('holding');
-  field.classList.add('held');
+  for (const each of stay) each.classList.add('held');
   const release = (): void => {
     root.classList.remove('holding');
-    field.classList.remove('held');
+    for (const each of stay) each.classList.remove('held');
     window.removeEventListener('pointerup', release);
     window.removeEventListener('pointercancel', release);
   };

@@ -25,7 +25,7 @@ export const commandWords = {
     palette: 'Find a command',
     search: 'Find a setting of the tree',
     seed: 'Another tree (dice)',
-    variety: 'More like this: a grid to choose from',
+    variety: 'Other trees to choose from',
     reset: 'Put all settings of the tree back',
     peek: 'See the tree without your changes, and back',
     levelUp: 'Settings one level nearer to the trunk',

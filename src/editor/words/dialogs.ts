@@ -5,7 +5,7 @@ export const dialogWords = {
     palette: 'Find a command',
     history: 'History',
     export: 'Export',
-    variety: 'More like this',
+    variety: 'Other trees',
   },
   close: 'Close',
   opening: 'Opening…',

@@ -3,6 +3,23 @@ import type { LoopGap } from '../../core/wind/loop.ts';
 /** The dialog in which the tree is taken away as a file. */
 export const exportWords = {
   listLabel: 'What to take',
+  /** Options of a picture, a sequence and a video. */
+  pictures: {
+    width: { label: 'Width', help: 'Pixels from side to side.' },
+    height: { label: 'Height', help: 'Pixels from top to bottom.' },
+    rate: { label: 'Frames a second', help: 'How many pictures show a second.' },
+    seconds: { label: 'Length', help: 'How long it runs, from the time that is shown.' },
+    transparent: { label: 'Transparent', help: 'The tree alone: no sky, no ground, no shadow on it.' },
+    loop: {
+      label: 'Comes around',
+      help: 'The wind is nudged so that the end goes over into the beginning without a seam.',
+    },
+    container: {
+      label: 'Format',
+      help: 'MP4 plays nearly everywhere, WebM in browsers; the first takes what this browser writes best.',
+    },
+    quality: { label: 'Quality', help: 'Higher keeps single leaves apart and makes a larger file.' },
+  },
   sections: { model: 'The tree', data: 'Its data', camera: 'What you see' },
   kinds: {
     glb: {

@@ -12,7 +12,7 @@ export const topWords = {
   shareHelp: 'The link holds the tree, its wind and what you see. Whoever opens it needs nothing else.',
   export: 'Export…',
   exportTitle: 'Take the tree to other programs, or make a picture or a film of it',
-  variety: 'More like this',
+  variety: 'Other trees',
   varietyTitle: 'See more trees like this one and choose',
   theme: 'Theme',
   more: 'More',

@@ -36,7 +36,7 @@ export const tourWords = {
     },
     take: {
       title: 'Take it with you',
-      wide: 'Share a link, or export models with their wind, pictures and films. “More like this” grows you a dozen others to choose from.',
+      wide: 'Share a link, or export models with their wind, pictures and films. “Other trees” grows you a dozen to choose from.',
       narrow: 'Here you share a link, export models and films, and find all the rest.',
     },
     find: {

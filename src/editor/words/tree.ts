@@ -178,7 +178,7 @@ export const treeWords = {
     radius: 'Radius',
     downAngle: 'Down angle',
     lean: 'Lean',
-    place: 'Place on its parent',
+    place: 'Along its parent',
     placeValue: (percent: number) => `${percent} %`,
     probe: 'Put the probe here',
     close: 'Let go of this stem',

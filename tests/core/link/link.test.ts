@@ -264,7 +264,7 @@ describe('link', () => {
   it('says which key was meant where it is plain', () => {
     const allowed = (link: string) => decodeLink(link, options).faults.map((f) => f.allowed);
     expect(allowed('levels.1.downangle=45')).toEqual(['levels.1.downAngle, if that was meant']);
-    expect(allowed('levels.7.downAngle=45')).toEqual(['levels.1.downAngle, if that was meant']);
+    expect(allowed('levels.7.downAngle=45')).toEqual(['levels.0.downAngle, if that was meant']);
     expect(allowed('tiger=45')).toEqual(['nothing of this name']);
     expect(allowed('tree.scale=none')).toEqual(['a number from 0.05 to 150 metres']);
     expect(allowed('bark.colour=red')).toEqual(['a colour as rrggbb']);

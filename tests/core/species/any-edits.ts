@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { mayBe, type ParameterValue, PLACES, type SpeciesEdits } from '../../../src/core/species/edits.ts';
 
-const number = (min: number, max: number) => fc.double({ min, max, noNaN: true });
+/** Never -0: what is read of it is 0. */
+const number = (min: number, max: number) => fc.double({ min, max, noNaN: true }).map((x) => x + 0);
 
 /** Any value that a parameter may have. */
 export const anyValue = (path: string): fc.Arbitrary<ParameterValue> => {

@@ -56,7 +56,7 @@ describe('sections', () => {
     expect(rows).toContainEqual({ path: 'levels.1.curveSideV' });
     expect(sectionOfPath('tree.lobes').id).toBe('level-0');
     const groups = (id: string) => SECTIONS.find((s) => s.id === id)!.groups.map((g) => g.group);
-    expect(groups('level-0')).toEqual(['children', 'curve', 'splits', 'thickness', 'foot']);
+    expect(groups('level-0')).toEqual(['children', 'place', 'curve', 'splits', 'thickness', 'foot']);
     expect(groups('level-2')).toEqual(['children', 'place', 'curve', 'splits', 'thickness']);
   });
 

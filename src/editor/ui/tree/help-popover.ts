@@ -53,7 +53,7 @@ export function popoverContent(c: Context, { path, pictures }: Explained, close:
   const locked = states.some((s) => s.locked);
   return html`<div class="popover-head"><h2>${level === undefined ? nothing : html`<span class="chip" data-level=${level}></span>`}${spokenName(
     row.path,
-  )}</h3><button type="button" class="round" aria-label=${words.close} @click=${close}>${icon('close')}</button></div>
+  )}</h2><button type="button" class="round" aria-label=${words.close} @click=${close}>${icon('close')}</button></div>
     ${meaning(row.path)}
     ${row.variation ? html`<h3>${words.variation}</h3>${meaning(row.variation)}` : nothing}
     ${shown(path, pictures)}
