@@ -1,6 +1,6 @@
 // The page that docs/make-parameter-pictures.ts takes its pictures from: one parameter low and high, seen from the same place.
 import type { CameraPose } from '../src/core/link/document.ts';
-import { editSpecies, type ParameterValue } from '../src/core/species/edits.ts';
+import { editSpecies, type ParameterValue, type SpeciesEdits } from '../src/core/species/edits.ts';
 import { parseSpecies } from '../src/core/species/parse.ts';
 import { STILL } from '../src/core/wind/wind.ts';
 import { type GrownTree, growTree } from '../src/view/picture/grow-tree.ts';
@@ -23,6 +23,9 @@ const { picture } = await openPicture(document.querySelector<HTMLElement>('#host
 });
 picture.setWind(STILL, 0);
 picture.setDark(false);
+
+/** Stems without leaves are thin and pale from afar: what every bare tree gets on top. */
+const BARE: SpeciesEdits = { 'tree.ratio': 0.028, 'bark.colour': '#5d4a3a', 'bark.dark': '#2c221b' };
 
 type Point = readonly [number, number, number];
 
@@ -91,7 +94,8 @@ function cameraOf({ view }: ParameterPicture, trees: readonly GrownTree[]): Came
 
 async function taken(entry: ParameterPicture): Promise<readonly string[]> {
   const base = parseSpecies(await textOf(`species/${entry.species}.json`)).species!;
-  const made = (value: ParameterValue) => editSpecies(base, { ...entry.edits, [placeOf(entry)]: value });
+  const bare = !entry.leaves && (entry.view === 'whole' || entry.view === 'above') ? BARE : {};
+  const made = (value: ParameterValue) => editSpecies(base, { ...bare, ...entry.edits, [placeOf(entry)]: value });
   const kinds = [made(entry.low), made(entry.high)];
   const trees: GrownTree[] = [];
   for (const species of kinds) trees.push(await growTree(species, entry.seed));

@@ -20,6 +20,13 @@ export type Start =
 const madeLink = (document: LinkDocument): string =>
   encodeLink({ ...document, time: 0, paused: false, rate: 1, camera: null, theme: 'auto' });
 
+/** Steps that can be made before the address has followed. */
+const UNWRITTEN = 5;
+
+/** Where a tab was a moment before it was loaded again: its address may still say that. */
+const lately = ({ workspace: { past, future } }: Found, link: LinkDocument): LinkDocument[] =>
+  [...past.slice(-UNWRITTEN), ...future.slice(-UNWRITTEN)].map((made) => ({ ...link, ...made }));
+
 /** Whether there is anything that opening the address again would not bring back. */
 const isWork = ({ past, future, snapshots, file }: Workspace): boolean =>
   past.length > 0 || future.length > 0 || snapshots.length > 0 || file !== null;
@@ -38,6 +45,8 @@ export function chooseStart(link: LinkDocument | null, own: Found | null, others
   const wanted = madeLink(link);
   const same = [own, ...others].find((found) => found && madeLink(found.workspace.document) === wanted);
   if (same) return { kind: 'restored', found: same, told: false };
+  if (own && lately(own, link).some((state) => madeLink(state) === wanted))
+    return { kind: 'restored', found: own, told: false };
   if (own) return { kind: 'continued', found: own };
   return { kind: 'fresh', before: others.find(({ workspace }) => isWork(workspace)) ?? null };
 }

@@ -231,6 +231,20 @@ describe('a tab begins', () => {
     expect(ahead.document.getState().seed).toBe(7);
   });
 
+  it('again, at once after a change: with the change, though the address is a step behind', async () => {
+    const tab = await browser.open(wanting(6));
+    for (const seed of [7, 8, 9]) tab.document.setState({ seed });
+    tab.document.history.undo();
+    await tab.soon();
+    tab.close();
+    for (const behind of [7, 9]) {
+      const again = await browser.open(wanting(behind), tab.slot);
+      expect(again.document.getState().seed).toBe(8);
+      expect(again.document.history.states.map(({ seed }) => seed)).toEqual([6, 7, 8, 9]);
+      again.close();
+    }
+  });
+
   it('as a copy of a living tab: with a slot of its own', async () => {
     const tab = await browser.open(wanting(5));
     tab.document.setState({ seed: 6 });

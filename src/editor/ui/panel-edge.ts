@@ -3,10 +3,10 @@ import type { Editor } from '../editor.ts';
 import { frameWords } from '../words/frame.ts';
 
 /** Pixels: the least and the most that the left panel can be wide, what it is at first, and the step of an arrow key. */
-const LEAST = 264;
+const LEAST = 280;
 const MOST = 640;
 const AT_FIRST = 328;
-const AT_FIRST_SMALL = 288;
+const AT_FIRST_SMALL = 320;
 const STEP = 16;
 /** The tree keeps at least so much between the panels. */
 const TREE = 240;

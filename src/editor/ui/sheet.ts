@@ -102,7 +102,8 @@ class Sheet extends Part {
 
 /** While a slider, a dial or a point of a curve is held, the rest of the sheet steps back so that the tree is seen. */
 function hold(event: PointerEvent): void {
-  const held = event.target instanceof Element && event.target.closest('input[type="range"], .dial, .curve [data-drag]');
+  const held =
+    event.target instanceof Element && event.target.closest('input[type="range"], .dial, .curve [data-drag]');
   if (!held) return;
   const field = held.closest('.field, .wave-head, .gust-head') ?? held;
   // A curve may stand in the row of its parameter or by itself.
