@@ -30,5 +30,10 @@ await withPage({ width: 280, height: 280 }, async (page, address) => {
 
 const there = (path: string): boolean =>
   ['low', 'high'].every((end) => existsSync(join(folder, `${path}-${end}.webp`)));
-writeFileSync(join(folder, 'index.json'), `${JSON.stringify(pictureIndex(there), null, 2)}\n`);
+const spaced = (value: unknown): string =>
+  Array.isArray(value) ? `[${value.map((v) => JSON.stringify(v)).join(', ')}]` : JSON.stringify(value);
+const lines = Object.entries(pictureIndex(there)).map(
+  ([path, { low, high }]) => `  ${JSON.stringify(path)}: { "low": ${spaced(low)}, "high": ${spaced(high)} }`,
+);
+writeFileSync(join(folder, 'index.json'), `{\n${lines.join(',\n')}\n}\n`);
 console.log(`public/help: ${Math.round(bytes / 1024)} kB`);

@@ -37,29 +37,6 @@ const kept = (page: Page): Promise<string[]> =>
       }),
   );
 
-test('a drag that goes on after an undo, or after another window had the focus, is one more step', async ({ page }) => {
-  const complaints = await open(page, BARE);
-  const box = (await strength(page).boundingBox())!;
-  const to = (part: number): Promise<void> =>
-    page.mouse.move(box.x + box.width * part, box.y + box.height / 2, { steps: 4 });
-  const interruptions = [
-    [() => page.keyboard.press('Control+z'), 1],
-    [() => page.evaluate(() => void window.dispatchEvent(new Event('blur'))), 2],
-  ] as const;
-  await page.keyboard.press('y');
-  for (const [interrupt, more] of interruptions) {
-    const before = await page.locator('wg-history .step').count();
-    await to(0.7);
-    await page.mouse.down();
-    await to(0.6);
-    await interrupt();
-    await to(0.4);
-    await page.mouse.up();
-    await expect(page.locator('wg-history .step')).toHaveCount(before + more);
-  }
-  expect(complaints).toEqual([]);
-});
-
 test('a drag is one step; undo, redo and a click in the list go there and back', async ({ page }) => {
   const complaints = await open(page, BARE);
   const undo = page.getByRole('button', { name: /^Undo/ });

@@ -286,8 +286,12 @@ export class Grower {
       void this.grow();
       return;
     }
-    const { edits, ownSpecies } = this.document.getState();
-    if (Object.keys(edits).length > 0) this.document.setState({ edits: {} });
+    const { edits, ownSpecies, species } = this.document.getState();
+    const shipped = this.session.getState().species;
+    // Kept by an older page, maybe, that had more species.
+    const gone = ownSpecies === null && !shipped.some(({ id }) => id === species);
+    if (gone && shipped[0]) this.document.setState({ species: shipped[0].id });
+    else if (Object.keys(edits).length > 0) this.document.setState({ edits: {} });
     else if (ownSpecies !== null) this.document.setState({ ownSpecies: null });
   }
 }

@@ -310,4 +310,22 @@ describe('the grower', () => {
     expect(grower.current).toBe(true);
     expect(session.getState().notices).toHaveLength(1);
   });
+
+  it('shows the first species where the one that is asked for ships no more, with one message', async () => {
+    vi.stubGlobal('document', { baseURI: 'http://localhost/' });
+    vi.stubGlobal('fetch', async () => new Response(willow));
+    document = createDocument({ ...firstDocument('auto', true, STILL), species: 'gone', edits: { 'tree.scale': 12 } });
+    session = createSession({
+      species: [{ id: 'weeping-willow', name: 'Weeping Willow', latin: '', file: 'weeping-willow.json' }],
+    });
+    actions = createActions(document, session, fakePreferences(), new Clock(), fakeServices());
+    grower = new Grower(document, session, actions, () => {});
+    await grower.grow();
+    await vi.waitFor(() => expect(asked).toHaveLength(1));
+    await latest().stand();
+    expect(grower.current).toBe(true);
+    expect(document.getState()).toMatchObject({ species: 'weeping-willow', edits: { 'tree.scale': 12 } });
+    expect(session.getState().notices).toHaveLength(1);
+    vi.unstubAllGlobals();
+  });
 });

@@ -50,6 +50,7 @@ class Dialogs extends Part {
   protected override render(): TemplateResult {
     const { name } = this;
     return html`<dialog class="dialog" data-name=${name ?? nothing} aria-labelledby="dialog-title" @close=${this.onClose}
+      @cancel=${(e: Event) => e.target === e.currentTarget && this.close()}
       @pointerdown=${(e: Event) => {
         this.pressed = e.target;
       }} @click=${this.onClick}>${name ? this.filled(name) : nothing}</dialog>`;
@@ -119,8 +120,9 @@ class Dialogs extends Part {
     }
   }
 
+  /** The session first: whatever is drawn before the dialog's own event comes would open it again. */
   private close(): void {
-    this.querySelector('dialog')!.close();
+    this.editor.actions.closeDialog();
   }
 
   private readonly onClick = (event: MouseEvent): void => {
@@ -130,6 +132,8 @@ class Dialogs extends Part {
 
   private readonly onClose = (event: Event): void => {
     if (event.target !== event.currentTarget) return; // a dialog or a popover inside of it
+    // The event comes late: the next dialog may have been opened meanwhile, by a quick key.
+    if (this.querySelector('dialog')!.open) return;
     this.failed = null;
     // Another dialog that was opened in place of this one stays.
     if (this.name) this.editor.actions.closeDialog();

@@ -16,7 +16,7 @@ class TopBar extends Part {
   private heading(): TemplateResult {
     const { tree, growing } = this.session;
     const name = tree?.species.name ?? growing?.name ?? topWords.app;
-    return html`<div class="title"><h1>${name}</h1>
+    return html`<div class="title"><h1 title=${name}>${name}</h1>
       <p>${tree ? html`<i lang="la">${tree.species.latin}</i> <span class="seed-read">${topWords.seed(tree.seed)}</span>` : nothing}</p></div>`;
   }
 
