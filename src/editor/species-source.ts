@@ -1,12 +1,9 @@
 import { parseSpecies } from '../core/species/parse.ts';
 import type { Species } from '../core/species/species.ts';
 import { FileError } from './file-error.ts';
-import { fetchText, textOf } from './public-file.ts';
+import { fetchText } from './public-file.ts';
 import type { SpeciesEntry } from './session.ts';
 import { messageWords } from './words/messages.ts';
-
-/** Longest species file that is read: a good one has 4 kB. */
-const LONGEST = 1_000_000;
 
 /** The species that ship. */
 export async function loadIndex(): Promise<readonly SpeciesEntry[]> {
@@ -40,11 +37,4 @@ export function loadSpecies(entry: SpeciesEntry): Promise<Species> {
     shipped.set(entry.id, loading);
   }
   return loading;
-}
-
-/** The text of a file of the reader's own, checked: what comes back is a species that can be grown. */
-export async function readOwnFile(file: File): Promise<string> {
-  const text = await textOf(file, LONGEST);
-  readSpecies(text, messageWords.notOpened(file.name));
-  return text;
 }

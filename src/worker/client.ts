@@ -227,8 +227,7 @@ export function growClient(): GrowClient {
 /**
  * Grows a tree in the page's worker; the latest request wins, an older one rejects with `GrowAborted` ('superseded').
  *
- * Errors of the species reject with the name and message that they had in the worker. For a slider that is dragged, see
- * `liveGrower`, which shows trees as fast as they grow.
+ * Errors of the species reject with the name and message that they had in the worker.
  */
 export const growInWorker = (species: Species, seed: number, options: GrowOptions = {}): Promise<GrownTree> =>
   growClient().grow(species, seed, options);

@@ -4,8 +4,7 @@ import { afterEach, describe, expect, it } from 'vitest';
 import { growPacked } from '../../src/core/pack/grow-packed.ts';
 import { hashPacked } from '../../src/core/pack/hash-packed.ts';
 import { GrowAborted, GrowClient, isAborted, type WorkerLike } from '../../src/worker/client.ts';
-import { liveGrower } from '../../src/worker/live-grower.ts';
-import type { GrownTree, GrowRequest, GrowService } from '../../src/worker/protocol.ts';
+import type { GrowRequest, GrowService } from '../../src/worker/protocol.ts';
 import { growService } from '../../src/worker/service.ts';
 import { anySpecies } from '../core/pieces/hand-made-tree.ts';
 
@@ -182,49 +181,5 @@ describe('GrowClient with a slow service', () => {
     service.end(1);
     expect((await next).stats.seed).toBe(2);
     expect(workers).toHaveLength(2);
-  });
-});
-
-describe('liveGrower', () => {
-  it('grows one at a time, leaves out what came in between and ends with the newest', async () => {
-    const ends: (() => void)[] = [];
-    const shown: number[] = [];
-    const failed: number[] = [];
-    let tell: () => void = () => undefined;
-    const answered = (run: number): Promise<void> =>
-      new Promise((resolve) => {
-        tell = resolve;
-        ends[run]();
-      });
-    const ask = liveGrower<number>(
-      (seed) =>
-        new Promise((resolve, reject) =>
-          ends.push(() =>
-            seed === 4 ? reject(new Error('four')) : resolve({ stats: { seed } } as unknown as GrownTree),
-          ),
-        ),
-      (tree) => {
-        shown.push(tree.stats.seed);
-        tell();
-      },
-      (error, seed) => {
-        expect(error).toMatchObject({ message: 'four' });
-        failed.push(seed);
-        tell();
-      },
-    );
-    for (const seed of [1, 2, 3]) ask(seed);
-    expect(ends).toHaveLength(1);
-    await answered(0);
-    expect(shown).toEqual([1]);
-    ask(4);
-    await answered(1);
-    expect(shown).toEqual([1, 3]);
-    await answered(2);
-    expect(failed).toEqual([4]);
-    expect(ends).toHaveLength(3);
-    ask(5);
-    await answered(3);
-    expect(shown).toEqual([1, 3, 5]);
   });
 });
