@@ -1,6 +1,9 @@
 import { expect, type Page, test } from '@playwright/test';
 import { BARE, open, settled, state } from './editor-page.ts';
 
+// Wide enough that limbs end beside the panels, not below them.
+test.use({ viewport: { width: 1280, height: 720 } });
+
 /** The aspen with its limbs and nothing on them, from near enough that each is a hundred pixels long. */
 const LIMBS = `${BARE}&tree.levels=2&cam=11,3,20,0,8,0`;
 const ASKED = { 'tree.levels': 2 };
@@ -83,7 +86,7 @@ test('names the stem under the mouse, selects it with a click, and lets it go wi
   await settled(page);
   expect(Object.keys((await onScreen(page)).handles).sort()).toContain('length');
   const { width } = page.viewportSize()!;
-  await page.mouse.click(0.33 * width, 96);
+  await page.mouse.click(0.66 * width, 96);
   await settled(page);
   expect((await onScreen(page)).handles).toEqual({});
   expect(complaints).toEqual([]);
@@ -182,7 +185,11 @@ test('draws captures of any size beside the picture, at exact times, and portrai
 test('sets a hundred trees and keeps nothing of them; while one is dragged springs start near', async ({ page }) => {
   await lab(page);
   const { before, after, far, near, pure, again } = await page.evaluate(() => window.scene.trees());
-  expect(after).toEqual(before);
+  const { VertexArray: first, ...held } = before as Record<string, number>;
+  const { VertexArray: last, ...kept } = after as Record<string, number>;
+  expect(kept).toEqual(held);
+  // One for each pair of mesh and program, made as it is first drawn: a few come late, ninety trees would leave hundreds.
+  expect(last! - first!).toBeLessThan(9);
   // A far time takes some draws; a draft is there at once, and the tree that follows it is as if it had always stood there.
   expect(far).toBeGreaterThan(1);
   expect(near).toBe(1);

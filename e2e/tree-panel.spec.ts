@@ -86,7 +86,7 @@ test('search, changed only, compare while the button is held', async ({ page }) 
   const search = page.getByRole('searchbox', { name: 'Find a parameter' });
   await expect(search).toBeFocused();
   await search.fill('down angle');
-  await expect(page.locator('.parameter')).toHaveCount(4); // three levels, and the leaves
+  await expect(page.locator('.parameter')).toHaveCount(5); // four levels, and the leaves
   await page.getByRole('checkbox', { name: 'Changed only' }).check();
   await expect(page.locator('.parameter')).toHaveCount(1);
   await search.fill('');
