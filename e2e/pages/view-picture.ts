@@ -299,10 +299,13 @@ const scene = {
     picture.setTree(tree, species);
     const far = drawsTo(60);
     const whole = draw(60);
-    picture.setTree(tree, species, { draft: true });
+    const [other] = others as [typeof tree];
+    picture.setTree(other, species, { draft: true });
     const near = drawsTo(60);
-    picture.setTree(tree, species);
+    picture.setTree(other, species);
     const pure = drawsTo(60);
+    picture.setTree(tree, species);
+    drawsTo(60);
     const again = changed(whole, draw(60));
     return { before, after, far, near, pure, again };
   },
