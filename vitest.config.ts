@@ -10,6 +10,7 @@ export default defineConfig({
     server: { deps: { inline: ['zundo'] } },
     environment: 'node',
     include: ['tests/**/*.test.ts'],
+    setupFiles: ['tests/random-seed.ts'],
     // Long enough for the slowest tree on a busy machine of two cores; a test that needs longer is too large.
     testTimeout: 60_000,
     hookTimeout: 60_000,

@@ -27,6 +27,13 @@ const kept = (page: Page): Promise<string[]> =>
     () =>
       new Promise((done) => {
         const opening = indexedDB.open('windgrove');
+        // Nothing was kept yet: the page is to make the store, not this question.
+        let none = false;
+        opening.onupgradeneeded = () => {
+          none = true;
+          opening.transaction!.abort();
+        };
+        opening.onerror = () => done(none ? [] : [`${opening.error}`]);
         opening.onsuccess = () => {
           const all = opening.result.transaction('work').objectStore('work').getAll();
           all.onsuccess = () => {
@@ -36,6 +43,30 @@ const kept = (page: Page): Promise<string[]> =>
         };
       }),
   );
+
+test('a drag that goes on after an undo, or after another window had the focus, is one more step', async ({ page }) => {
+  const complaints = await open(page, BARE);
+  const to = async (part: number): Promise<void> => {
+    const box = (await strength(page).boundingBox())!;
+    await page.mouse.move(box.x + box.width * part, box.y + box.height / 2, { steps: 4 });
+  };
+  const interruptions = [
+    () => page.keyboard.press('Control+z'),
+    () => page.evaluate(() => void window.dispatchEvent(new Event('blur'))),
+  ];
+  for (const interrupt of interruptions) {
+    await to(0.7);
+    await page.mouse.down();
+    await to(0.6);
+    await interrupt();
+    await to(0.4);
+    await page.mouse.up();
+  }
+  // The first drag's beginning is undone and gone; the second drag is two steps.
+  await page.keyboard.press('y');
+  await expect(page.locator('wg-history .step')).toHaveCount(4);
+  expect(complaints).toEqual([]);
+});
 
 test('a drag is one step; undo, redo and a click in the list go there and back', async ({ page }) => {
   const complaints = await open(page, BARE);

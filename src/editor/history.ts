@@ -202,9 +202,13 @@ export class History {
 
   /** To the state at a place of `states`; false where there is none, or it is the present one. */
   goTo(index: number): boolean {
-    const from = this.index;
-    if (index === from || index < 0 || index >= this.states.length) return false;
+    const was = this.index;
+    if (index === was || index < 0 || index >= this.states.length) return false;
+    // A drag that is back where it began is no step to go over.
+    if (this.begun) this.dropNothing();
     this.endHold();
+    const from = this.index;
+    if (index === from) return true;
     const { undo, redo } = this.of.temporal.getState();
     this.of.quietly(() => (index < from ? undo(from - index) : redo(index - from)));
     const crossed = this.files.filter(({ at }) => at > Math.min(from, index) && at <= Math.max(from, index));

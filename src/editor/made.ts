@@ -14,16 +14,6 @@ export function madeOf(document: LinkDocument): Made {
 const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
   typeof value === 'object' && value !== null;
 
-/** Whether two values hold the same numbers and texts; what is shared is not walked through. */
-function same(a: unknown, b: unknown): boolean {
-  if (Object.is(a, b)) return true;
-  if (!isRecord(a) || !isRecord(b) || Array.isArray(a) !== Array.isArray(b)) return false;
-  const keys = Object.keys(a);
-  return keys.length === Object.keys(b).length && keys.every((key) => Object.hasOwn(b, key) && same(a[key], b[key]));
-}
-
-export const sameMade = (a: Made, b: Made): boolean => same(a, b);
-
 /**
  * The places at which two values differ: `wind.waves.1.amplitude`, `edits.levels.1.downAngle`; a list that became longer or shorter, and
  * what is an object on one side alone, is one place.
@@ -37,3 +27,5 @@ export function differences(a: unknown, b: unknown, path = ''): string[] {
   const keys = [...new Set([...Object.keys(a), ...Object.keys(b)])];
   return keys.flatMap((key) => differences(a[key], b[key], path === '' ? key : `${path}.${key}`));
 }
+
+export const sameMade = (a: Made, b: Made): boolean => differences(a, b).length === 0;

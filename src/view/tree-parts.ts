@@ -12,6 +12,7 @@ import {
 } from 'three';
 import { GRAINS_PER_TILE } from '../core/look/bark-image.ts';
 import { type LeafGrain, leafTriangles } from '../core/look/leaf-mesh.ts';
+import { COLLAR } from '../core/mesh/level-shape.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
 import { barkTexture } from './bark-texture.ts';
@@ -261,7 +262,7 @@ export class TreeParts extends Object3D {
     const trunk = index === 0;
     const [a, b] = uniforms.stemShape.value as [Vector4, Vector4];
     a.set(taper, trunk ? tree.flare : 0, trunk ? tree.lobes : 0, trunk ? tree.lobeDepth : 0);
-    b.set(0, tree.bulges, tree.bulgeDepth, 0.7);
+    b.set(0, tree.bulges, tree.bulgeDepth, COLLAR);
   }
 
   #setLook(tree: PackedTree, { bark, foliage, wind }: Species): void {

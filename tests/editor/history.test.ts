@@ -305,4 +305,15 @@ describe('whatever is done', () => {
       { numRuns: 300 },
     );
   });
+
+  it('an undo amid a drag that is back where it began only ends it', () => {
+    const doc = createDocument(first());
+    doc.setState({ seed: 5 });
+    doc.history.hold();
+    doc.setState({ blowing: false });
+    doc.setState({ blowing: true });
+    expect(doc.history.undo()).toBe(true);
+    expect(doc.getState().seed).toBe(5);
+    expect(doc.history.states).toHaveLength(2);
+  });
 });

@@ -5,8 +5,21 @@ import type { Panel } from '../session.ts';
 /** Name of the fold of a panel at a side. */
 const folds: Partial<Record<Panel, string>> = { grow: 'grow', wind: 'blow', studio: 'studio' };
 
+/** Resolves when the panels have been loaded. */
+const panelsLoaded = ({ session }: Editor): Promise<void> =>
+  new Promise((done) => {
+    const check = (): void => {
+      if (!session.getState().panels) return;
+      stop();
+      done();
+    };
+    const stop = session.subscribe(check);
+    check();
+  });
+
 /** Brings a panel onto the screen: unfolds it at its side, or pulls the sheet up to it; resolves when it stands there. */
 export async function showPanel(editor: Editor, panel: Panel): Promise<void> {
+  await panelsLoaded(editor);
   const { narrow, detent } = editor.session.getState();
   if (narrow) {
     editor.actions.setTab(panel);
