@@ -1,4 +1,12 @@
-import { type CameraPose, type LinkDocument, roundCamera, type Theme, type ViewMode } from '../core/link/link.ts';
+import {
+  type CameraPose,
+  type LinkDocument,
+  roundCamera,
+  type StageId,
+  type Theme,
+  type ViewMode,
+} from '../core/link/link.ts';
+import type { Season } from '../core/species/season.ts';
 import { exportActions } from './actions-export.ts';
 import { fileActions } from './actions-files.ts';
 import { gustActions } from './actions-gusts.ts';
@@ -56,6 +64,10 @@ export function createActions(
     setLevels: (levelsShown: number) => set({ levelsShown }),
     setShowLeaves: (showLeaves: boolean) => set({ showLeaves }),
     setView: (view: ViewMode) => set({ view }),
+    setSeason: (season: Season) => set({ season }),
+    setStage: (stage: StageId) => set({ stage }),
+    /** Hour of the day by the sun, 0..24; null: the stage's own. */
+    setHour: (hour: number | null) => set({ hour }),
     setCamera: (camera: CameraPose | null) => set({ camera: camera && roundCamera(camera) }),
     setTheme(theme: Theme): void {
       preferences.theme = theme;

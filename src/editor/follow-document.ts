@@ -45,6 +45,8 @@ export function followDocument(
       const fade = now.compare && before.compare && !now.paused ? fadeOf(now.compare.wind, before.compare.wind) : 0;
       picture.setCompare(beside(now), fade);
     }
+    if (now.season !== before.season) picture.setSeason(now.season);
+    if (now.stage !== before.stage || now.hour !== before.hour) picture.setStage(now.stage, now.hour);
     if (now.camera !== before.camera) picture.setCamera(now.camera);
     if (now.overlays !== before.overlays || now.probe !== before.probe) overlays();
     if (now.view !== before.view || now.levelsShown !== before.levelsShown || now.showLeaves !== before.showLeaves) {
@@ -73,6 +75,8 @@ export function followDocument(
     else clock.play();
     picture.setWind(blowing(now, now.wind), 0);
     picture.setCompare(beside(now), 0);
+    picture.setSeason(now.season);
+    picture.setStage(now.stage, now.hour);
     picture.setCamera(now.camera);
     picture.show(now);
     overlays();

@@ -58,6 +58,9 @@ function viewLabels(before: Made, after: Made): string[] {
   const labels: string[] = [];
   const { overlays, probe, levelsShown, showLeaves, view } = after;
   if (view !== before.view) labels.push(words.view[view]);
+  if (after.season !== before.season) labels.push(words.season[after.season]);
+  if (after.stage !== before.stage) labels.push(words.stage[after.stage]);
+  if (after.hour !== before.hour) labels.push(after.hour === null ? words.hourOfStage : words.hour(after.hour));
   if (levelsShown !== before.levelsShown)
     labels.push(words.drawnTo[levelsShown >= ALL_LEVELS ? 3 : Math.min(3, levelsShown - 1)]!);
   if (showLeaves !== before.showLeaves) labels.push(words[showLeaves ? 'on' : 'off'](words.leaves));

@@ -10,6 +10,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { StageId } from '../core/link/link.ts';
 import type { WindSource } from '../gpu/wind-source.ts';
 import { ForceField } from './force-field.ts';
 import { type Framing, frameTree } from './framing.ts';
@@ -153,6 +154,11 @@ export class Stage {
     this.renderer.toneMappingExposure = look.exposure;
     this.hemisphere.visible = !this.#skyLight;
     this.#skyLight?.refresh(look);
+  }
+
+  /** Where the tree stands; `hour` of the day by the sun, 0..24, null: the stage's own. */
+  setScene(_stage: StageId, _hour: number | null): void {
+    // To be built.
   }
 
   /** Fits ground, sun and shadow to what stands on the stage: a box in metres, y up. The camera stays. */

@@ -12,7 +12,7 @@ import {
 } from 'three';
 import { GRAINS_PER_TILE } from '../core/look/bark-image.ts';
 import { type LeafGrain, leafTriangles } from '../core/look/leaf-mesh.ts';
-import { COLLAR } from '../core/mesh/level-shape.ts';
+import { COLLAR, levelShape } from '../core/mesh/level-shape.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
 import { barkTexture } from './bark-texture.ts';
@@ -64,13 +64,11 @@ interface Level {
 }
 
 /** The parts of the deformer's programs that a level needs; each that is left out saves work at every vertex. */
-function definesOf(level: number, { tree, levels }: Species, paper: boolean): string[] {
-  const plain = level > 0 && tree.bulgeDepth === 0 && taperOf(level, levels) <= 1;
+function definesOf(level: number, species: Species, paper: boolean): string[] {
+  const { taper, lobeDepth, bulgeDepth } = levelShape(species, level);
+  const plain = level > 0 && bulgeDepth === 0 && lobeDepth === 0 && taper <= 1;
   return [level === 0 ? 'FLARED' : '', plain ? 'PLAIN_STEM' : '', paper ? 'PAPER_FORMS' : ''].filter(Boolean);
 }
-
-const taperOf = (level: number, levels: Species['levels']): number =>
-  levels[Math.min(level, levels.length - 1)]?.taper ?? 1;
 
 /**
  * The meshes of one tree, in tree space (z up).
@@ -257,12 +255,10 @@ export class TreeParts extends Object3D {
   }
 
   #setShape({ uniforms }: Level, index: number, species: Species): void {
-    const { tree, levels } = species;
-    const taper = taperOf(index, levels);
-    const trunk = index === 0;
+    const { taper, flare, lobes, lobeDepth, lobeFade, bulges, bulgeDepth } = levelShape(species, index);
     const [a, b] = uniforms.stemShape.value as [Vector4, Vector4];
-    a.set(taper, trunk ? tree.flare : 0, trunk ? tree.lobes : 0, trunk ? tree.lobeDepth : 0);
-    b.set(0, tree.bulges, tree.bulgeDepth, COLLAR);
+    a.set(taper, flare, lobes, lobeDepth);
+    b.set(lobeFade, bulges, bulgeDepth, COLLAR);
   }
 
   #setLook(tree: PackedTree, { bark, foliage, wind }: Species): void {

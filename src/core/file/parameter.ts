@@ -43,13 +43,13 @@ export interface FlagParameter extends Common {
 export interface ChoiceParameter extends Common {
   readonly kind: 'choice';
   readonly choices: readonly string[];
-  readonly default: string;
+  readonly default: string | undefined;
 }
 
 /** sRGB, '#rrggbb'. */
 export interface ColourParameter extends Common {
   readonly kind: 'colour';
-  readonly default: string;
+  readonly default: string | undefined;
 }
 
 /** A list of up to eight numbers, such as one for each level, the last for all deeper ones. */

@@ -1,8 +1,17 @@
 import { nearest } from '../file/nearest.ts';
+import { SEASONS } from '../species/season.ts';
 import { treeNameOf } from '../species/tree-name.ts';
 import { decodeEdits } from './decode-edits.ts';
 import { decodeWind, type Winds } from './decode-wind.ts';
-import { type CameraPose, type Comparison, LAYOUTS, type LinkDocument, THEMES, VIEW_MODES } from './document.ts';
+import {
+  type CameraPose,
+  type Comparison,
+  LAYOUTS,
+  type LinkDocument,
+  STAGES,
+  THEMES,
+  VIEW_MODES,
+} from './document.ts';
 import { COMPARED, roundDocument, roundTime } from './encode.ts';
 import { CAMERA_NUMBERS, LINK_NUMBERS } from './numbers.ts';
 import { unpackLink } from './packed-link.ts';
@@ -45,6 +54,9 @@ export function decodeLink(link: string, options: DecodeOptions): { document: Li
     showLeaves: reader.flag('leaves', defaults.showLeaves),
     view: reader.choice('view', defaults.view, VIEW_MODES),
     theme: reader.choice('theme', defaults.theme, THEMES),
+    season: reader.choice('season', defaults.season, SEASONS),
+    stage: reader.choice('stage', defaults.stage, STAGES),
+    hour: reader.read('hour', defaults.hour, allowed(LINK_NUMBERS.hour), (text) => readNumber(LINK_NUMBERS.hour, text)),
     overlays: {
       arrows: reader.flag('arrows', overlays.arrows),
       fronts: reader.flag('fronts', overlays.fronts),

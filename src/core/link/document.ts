@@ -1,4 +1,5 @@
 import type { SpeciesEdits } from '../species/edits.ts';
+import type { Season } from '../species/season.ts';
 import type { Wind } from '../wind/wind.ts';
 
 /** How the tree is drawn. */
@@ -12,6 +13,10 @@ export type Theme = (typeof THEMES)[number];
 /** How two winds are shown: one picture with a line between them, or two side by side. */
 export const LAYOUTS = ['split', 'side'] as const;
 export type Layout = (typeof LAYOUTS)[number];
+
+/** Where the tree stands, and in what light: `meadow` has a morning in the light theme and a dusk in the dark one. */
+export const STAGES = ['meadow', 'park', 'golden', 'studio'] as const;
+export type StageId = (typeof STAGES)[number];
 
 /** Steps of the clock a second; the time of a document is a whole number of them. */
 export const STEPS_PER_SECOND = 60;
@@ -80,6 +85,10 @@ export interface LinkDocument {
   readonly showLeaves: boolean;
   readonly view: ViewMode;
   readonly theme: Theme;
+  readonly season: Season;
+  readonly stage: StageId;
+  /** Hour of the day by the sun, 0..24; null: the stage's own. */
+  readonly hour: number | null;
   readonly overlays: OverlayChoice;
   /** Piece that the probe sticks to, or null. */
   readonly probe: number | null;

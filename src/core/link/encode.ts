@@ -45,6 +45,7 @@ export function roundDocument(document: LinkDocument): LinkDocument {
     rate: roundTo(LINK_NUMBERS.rate, document.rate),
     levelsShown: roundTo(LINK_NUMBERS.levels, document.levelsShown),
     camera: document.camera && roundCamera(document.camera),
+    hour: document.hour === null ? null : roundTo(LINK_NUMBERS.hour, document.hour),
     probe: document.probe === null ? null : roundTo(LINK_NUMBERS.probe, document.probe),
     wind: roundWind(document.wind),
     compare: compare && { ...compare, at: roundTo(LINK_NUMBERS.at, compare.at), wind: roundWind(compare.wind) },
@@ -85,6 +86,9 @@ function linkOf(d: LinkDocument, own: 'own' | 'file'): string {
   if (!d.showLeaves) put('leaves', 0);
   if (d.view !== 'shaded') put('view', d.view);
   if (d.theme !== 'auto') put('theme', d.theme);
+  if (d.season !== 'summer') put('season', d.season);
+  if (d.stage !== 'meadow') put('stage', d.stage);
+  if (d.hour !== null) put('hour', d.hour);
   for (const key of ['arrows', 'fronts', 'handle'] as const) {
     if (d.overlays[key] !== OVERLAYS[key]) put(key, d.overlays[key] ? 1 : 0);
   }

@@ -1,7 +1,7 @@
 import { PLACES } from '../species/edits.ts';
 
 const PLAIN = new Set(
-  's own file called z seed t paused rate cam levels leaves view theme arrows fronts handle probe blow compare'.split(
+  's own file called z seed t paused rate cam levels leaves view theme season stage hour arrows fronts handle probe blow compare'.split(
     ' ',
   ),
 );

@@ -85,6 +85,7 @@ export const LINK_NUMBERS = {
   p: { label: 'exponent of the force', unit: '', min: 0.1, max: 4, decimals: 2 },
   m: { label: 'exponent of the length', unit: '', min: 0, max: 4, decimals: 2 },
   waves: { label: 'number of waves', unit: '', min: 0, max: MOST_WAVES, decimals: 0 },
+  hour: { label: 'hour', unit: 'h', min: 0, max: 24, decimals: 2 },
   probe: { label: 'piece', unit: '', min: 0, max: 4294967295, decimals: 0 },
   at: { label: 'place of the line', unit: '', min: 0, max: 1, decimals: 3 },
 } as const satisfies Record<string, NumberRule>;

@@ -9,7 +9,16 @@ export interface BarkImage {
 }
 
 /** Grains (`bark.grain`) that the tile holds along each side: large enough that the eye does not find the repeat. */
-export const GRAINS_PER_TILE = { smooth: 3, furrowed: 6, plated: 6 } as const;
+export const GRAINS_PER_TILE: Readonly<Record<BarkLook['kind'], number>> = {
+  smooth: 3,
+  furrowed: 6,
+  plated: 6,
+  peeling: 3,
+  stringy: 6,
+  palm: 4,
+  ribbed: 4,
+  noded: 4,
+};
 
 /** Height 0..1 and darkness 0..1 of each texel, rows run along the stem. */
 interface Relief {
@@ -152,7 +161,16 @@ function plated(size: number): Relief {
   return { height, dark };
 }
 
-const RELIEFS = { smooth, furrowed, plated } as const;
+const RELIEFS: Readonly<Record<BarkLook['kind'], (size: number) => Relief>> = {
+  smooth,
+  furrowed,
+  plated,
+  peeling: smooth,
+  stringy: furrowed,
+  palm: plated,
+  ribbed: smooth,
+  noded: smooth,
+};
 
 /**
  * A tile of bark of the given kind, the same on every machine; `size` texels a side, a power of two.

@@ -27,7 +27,7 @@ export interface Leaflet {
 const single: readonly Leaflet[] = [{ x: 0, z: 0, turn: 0, size: 1 }];
 
 /** Index is `leaves.shape` of a species: oval, triangle, 3-lobe oak, 3-lobe maple, 5-lobe maple, 3 leaflets. */
-export const LEAF_SHAPES: readonly LeafShape[] = [
+const PAPER: readonly LeafShape[] = [
   {
     name: 'oval',
     near: [
@@ -198,3 +198,6 @@ export const LEAF_SHAPES: readonly LeafShape[] = [
     ],
   },
 ];
+
+/** Index is `leaves.shape` of a species, as LEAF_SHAPES of the parameter table names them. */
+export const LEAF_SHAPES: readonly LeafShape[] = [...PAPER, ...Array.from({ length: 14 }, () => PAPER[0]!)];

@@ -1,13 +1,14 @@
 import { allowedValues } from '../file/allowed.ts';
 import type { Fault } from '../file/fault.ts';
 import { type Fields, fieldsOf, listOf, unknownKeys } from '../file/read.ts';
-import { ALL_LEVELS, LAYOUTS, type LinkDocument, OVERLAYS, OWN_WIND, VIEW_MODES } from '../link/document.ts';
+import { ALL_LEVELS, LAYOUTS, type LinkDocument, OVERLAYS, OWN_WIND, STAGES, VIEW_MODES } from '../link/document.ts';
 import { roundCamera, roundTime } from '../link/encode.ts';
 import { roundEdits } from '../link/encode-edits.ts';
 import { CAMERA_NUMBERS, LINK_NUMBERS } from '../link/numbers.ts';
 import { roundWind } from '../link/round-wind.ts';
 import { mayBe, type ParameterValue, PLACES, type SpeciesEdits } from '../species/edits.ts';
 import { LONGEST_NAME } from '../species/parse.ts';
+import { SEASONS } from '../species/season.ts';
 import { treeNameOf } from '../species/tree-name.ts';
 import { parseWind } from '../wind/parse-wind.ts';
 import { STILL, type Wind } from '../wind/wind.ts';
@@ -36,7 +37,16 @@ export const DOCUMENT_KEYS = [
   'rate',
 ] as const;
 
-const VIEW_KEYS = ['mode', 'levels', 'leaves', 'probe', ...(['arrows', 'fronts', 'handle'] as const)];
+const VIEW_KEYS = [
+  'mode',
+  'levels',
+  'leaves',
+  'season',
+  'stage',
+  'hour',
+  'probe',
+  ...(['arrows', 'fronts', 'handle'] as const),
+];
 const COMPARE_KEYS = ['layout', 'at', 'windPreset', 'wind'];
 const CAMERA_KEYS = ['azimuth', 'elevation', 'distance', 'target'];
 
@@ -60,6 +70,9 @@ export function documentFields(document: ProjectDocument): Record<(typeof DOCUME
       mode: document.view,
       levels: document.levelsShown,
       leaves: document.showLeaves,
+      season: document.season,
+      stage: document.stage,
+      hour: document.hour,
       arrows: overlays.arrows,
       fronts: overlays.fronts,
       handle: overlays.handle,
@@ -97,6 +110,9 @@ export function readDocument(file: Fields, faults: Fault[]): ProjectDocument {
     view: view.choice('mode', VIEW_MODES, 'shaded'),
     levelsShown: view.number('levels', LINK_NUMBERS.levels, ALL_LEVELS),
     showLeaves: view.flag('leaves', true),
+    season: view.choice('season', SEASONS, 'summer'),
+    stage: view.choice('stage', STAGES, 'meadow'),
+    hour: view.value('hour') === null ? null : numberOrNull(view, 'hour'),
     overlays: {
       arrows: view.flag('arrows', OVERLAYS.arrows),
       fronts: view.flag('fronts', OVERLAYS.fronts),
@@ -127,7 +143,7 @@ function part(value: unknown, path: string, keys: readonly string[], faults: Fau
   return new FieldReader(fields, `${path}.`, faults);
 }
 
-const numberOrNull = (reader: FieldReader, key: 'probe'): number | null =>
+const numberOrNull = (reader: FieldReader, key: 'probe' | 'hour'): number | null =>
   reader.value(key) === undefined ? null : reader.number(key, LINK_NUMBERS[key], 0);
 
 function nameOf(read: FieldReader): string | null {

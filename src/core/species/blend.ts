@@ -42,10 +42,12 @@ export function blend(a: Species, b: Species, t: number): Species {
   }
   const deeper = a.tree.levels > b.tree.levels ? a : b;
   values['leaves.count'] = leavesForTwigs(deeper === a ? 1 - t : t, deeper, values);
+  const { facts: _, ...mix } = editSpecies(base, values);
   return {
-    ...editSpecies(base, values),
+    ...mix,
     name: blendName(a.name, b.name, t),
     latin: cut(a.latin && b.latin ? `${a.latin} × ${b.latin}` : a.latin || b.latin, LONGEST.latin),
+    description: '',
     source: cut(`A blend of ${a.name} (${a.source}) and ${b.name} (${b.source})`, LONGEST.source),
   };
 }

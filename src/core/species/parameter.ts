@@ -10,7 +10,19 @@ export type {
 } from '../file/parameter.ts';
 
 /** Where in a species file a parameter stands. `levels` is a list, one entry a level. */
-export type ParameterGroup = 'tree' | 'levels' | 'leaves' | 'pruning' | 'switches' | 'bark' | 'foliage' | 'wind';
+export type ParameterGroup =
+  | 'tree'
+  | 'levels'
+  | 'leaves'
+  | 'pruning'
+  | 'switches'
+  | 'bark'
+  | 'foliage'
+  | 'organ'
+  | 'spring'
+  | 'autumn'
+  | 'winter'
+  | 'wind';
 
 /** A row of the table: a number from `min` to `max` in a group of a species. */
 export const number = numberOf<ParameterGroup>;

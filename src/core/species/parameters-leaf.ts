@@ -9,6 +9,20 @@ export const LEAF_SHAPES = [
   'three-lobed maple',
   'five-lobed maple',
   'three leaflets',
+  'lance',
+  'heart',
+  'seven-lobed maple',
+  'feather of leaflets',
+  'hand of leaflets',
+  'needle',
+  'rosette of needles',
+  'bundle of needles',
+  'sprig of needles',
+  'spray of scales',
+  'palm leaflet',
+  'grass blade',
+  'three-lobed sassafras',
+  'toothed oval',
 ] as const;
 
 const OWN_ANGLE = { unit: 'deg', optional: true } as const;
@@ -20,7 +34,7 @@ export const LEAF_PARAMETERS: readonly NumberParameter[] = [
     default: 25,
     negative: 'Below 0 that many stand in a fan at the tip of the stem.',
   }),
-  number('leaves', 'shape', 'Leaf shape', 'Outline of the leaf.', [0, 5, 1], {
+  number('leaves', 'shape', 'Leaf shape', 'Outline of the leaf.', [0, LEAF_SHAPES.length - 1, 1], {
     symbol: 'LeafShape',
     section: '4.5',
     integer: true,

@@ -209,4 +209,15 @@ export const LEVEL_PARAMETERS: readonly NumberParameter[] = [
       negative: 'Below 0 that many stand in a fan at the tip of the parent.',
     },
   ),
+  number('levels', 'lobes', 'Lobes', 'Ridges around stems of this level.', [0, 64, 1], {
+    integer: true,
+    levels: 'branches',
+    optional: true,
+    default: 0,
+  }),
+  number('levels', 'lobeDepth', 'Depth of lobes', 'Depth of the ridges as a fraction of the radius.', [0, 0.95, 0.01], {
+    levels: 'branches',
+    optional: true,
+    default: 0,
+  }),
 ];

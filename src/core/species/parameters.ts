@@ -1,7 +1,13 @@
 import type { Parameter, ParameterGroup } from './parameter.ts';
 import { LEAF_PARAMETERS, PRUNING_PARAMETERS, SWITCH_PARAMETERS } from './parameters-leaf.ts';
 import { LEVEL_PARAMETERS } from './parameters-level.ts';
-import { BARK_PARAMETERS, FOLIAGE_PARAMETERS, WIND_PARAMETERS } from './parameters-look.ts';
+import {
+  BARK_PARAMETERS,
+  FOLIAGE_PARAMETERS,
+  ORGAN_PARAMETERS,
+  seasonParameters,
+  WIND_PARAMETERS,
+} from './parameters-look.ts';
 import { TREE_PARAMETERS } from './parameters-tree.ts';
 
 /** A part of a species file and its parameters. */
@@ -36,6 +42,25 @@ export const GROUPS: readonly Group[] = [
   },
   { group: 'bark', title: 'Bark', help: 'How the stems look.', parameters: BARK_PARAMETERS },
   { group: 'foliage', title: 'Foliage', help: 'How the leaves look.', parameters: FOLIAGE_PARAMETERS },
+  { group: 'organ', title: 'Blossom and fruit', help: 'What twigs bear besides leaves.', parameters: ORGAN_PARAMETERS },
+  {
+    group: 'spring',
+    title: 'Spring',
+    help: 'What spring changes of the look.',
+    parameters: seasonParameters('spring'),
+  },
+  {
+    group: 'autumn',
+    title: 'Autumn',
+    help: 'What autumn changes of the look.',
+    parameters: seasonParameters('autumn'),
+  },
+  {
+    group: 'winter',
+    title: 'Winter',
+    help: 'What winter changes of the look.',
+    parameters: seasonParameters('winter'),
+  },
   { group: 'wind', title: 'Wind', help: 'How the tree answers the wind.', parameters: WIND_PARAMETERS },
 ];
 

@@ -9,6 +9,7 @@ import {
   readTexts,
   unknownKeys,
 } from '../file/read.ts';
+import { readFacts } from './facts.ts';
 import type { Group } from './parameters.ts';
 import { defaultOf, GROUPS, isRequired, MOST_LEVELS } from './parameters.ts';
 import type { Species } from './species.ts';
@@ -28,6 +29,7 @@ const TEXTS = {
   name: { longest: LONGEST_NAME, required: true },
   latin: { longest: 80 },
   source: { longest: 400 },
+  description: { longest: 900 },
 } as const;
 
 /**
@@ -46,12 +48,14 @@ function readSpecies(value: unknown): ParsedSpecies {
   const file = fieldsOf(value, '', faults);
   if (!file || !hasFormat(file, 'windgrove-species', faults)) return { faults };
   const groupNames = GROUPS.map((group) => group.group);
-  unknownKeys(file, '', ['format', 'version', ...Object.keys(TEXTS), ...groupNames, '$schema'], faults);
+  unknownKeys(file, '', ['format', 'version', ...Object.keys(TEXTS), 'facts', ...groupNames, '$schema'], faults);
   const species: Record<string, unknown> = {
     format: 'windgrove-species',
     version: 1,
     ...readTexts(file, TEXTS, faults),
   };
+  const facts = readFacts(file.facts, faults);
+  if (facts) species.facts = facts;
   for (const group of GROUPS) {
     const content = file[group.group];
     species[group.group] =

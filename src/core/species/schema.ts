@@ -1,4 +1,5 @@
 import { type Json, type JsonObject, parameterSchema } from '../file/schema.ts';
+import { factsSchema } from './facts.ts';
 import type { Group } from './parameters.ts';
 import { defaultOf, GROUPS, isRequired, MOST_LEVELS } from './parameters.ts';
 
@@ -22,6 +23,8 @@ export function speciesJsonSchema(): JsonObject {
     name: { type: 'string', minLength: 1, maxLength: 80 },
     latin: { type: 'string', maxLength: 80 },
     source: { type: 'string', maxLength: 400, description: 'Where the numbers come from.' },
+    description: { type: 'string', maxLength: 900, description: 'What it is and how one tells it, one paragraph.' },
+    facts: factsSchema(),
   };
   const required = ['format', 'version', 'name'];
   for (const group of GROUPS) {

@@ -10,6 +10,10 @@ export interface Species {
   readonly latin: string;
   /** Where the numbers come from. */
   readonly source: string;
+  /** What it is and how one tells it, one paragraph; '' where the file says nothing. */
+  readonly description: string;
+  /** What a botanist measures on grown trees of the kind; absent in files that say nothing of it. */
+  readonly facts?: SpeciesFacts;
   readonly tree: TreeParameters;
   /** Levels 0 (trunk) to 3; deeper levels use the last. */
   readonly levels: readonly LevelParameters[];
@@ -18,7 +22,32 @@ export interface Species {
   readonly switches: SpeciesSwitches;
   readonly bark: BarkLook;
   readonly foliage: FoliageLook;
+  readonly organ: OrganLook;
+  /** What the other seasons change; the file's own look is that of summer. */
+  readonly spring: SeasonLook;
+  readonly autumn: SeasonLook;
+  readonly winter: SeasonLook;
   readonly wind: WindAnswer;
+}
+
+export const SPECIES_KINDS = ['broadleaf', 'conifer', 'palm', 'shrub', 'grass', 'fern', 'succulent', 'bare'] as const;
+export type SpeciesKind = (typeof SPECIES_KINDS)[number];
+
+/** Least and most of something. */
+export type Range = readonly [least: number, most: number];
+
+/** Measures of grown trees of a kind, and who took them. */
+export interface SpeciesFacts {
+  readonly kind: SpeciesKind;
+  /** Metres. */
+  readonly height: Range;
+  /** Width of the crown as a part of the height. */
+  readonly spread: Range;
+  /** Part of the height below the crown's first branches. */
+  readonly clear: Range;
+  /** Where it grows by itself. */
+  readonly range: string;
+  readonly source: string;
 }
 
 export interface TreeParameters {
@@ -70,11 +99,14 @@ export interface LevelParameters {
   readonly rotate: number;
   readonly rotateV: number;
   readonly branches: number;
+  /** Lobes of the cross-section of branches, as `tree.lobes` has them of the trunk: arms of a cactus. Level 0 does not read them. */
+  readonly lobes: number;
+  readonly lobeDepth: number;
 }
 
 export interface LeafParameters {
   readonly count: number;
-  /** 0 oval, 1 triangle, 2 three-lobed oak, 3 three-lobed maple, 4 five-lobed maple, 5 three leaflets. */
+  /** Index of LEAF_SHAPES (parameters-leaf.ts): 0 to 5 are the paper's. */
   readonly shape: number;
   readonly scale: number;
   readonly scaleX: number;
@@ -113,8 +145,11 @@ export interface SpeciesSwitches {
   readonly spread: number;
 }
 
+export const BARK_KINDS = ['smooth', 'furrowed', 'plated', 'peeling', 'stringy', 'palm', 'ribbed', 'noded'] as const;
+export type BarkKind = (typeof BARK_KINDS)[number];
+
 export interface BarkLook {
-  readonly kind: 'smooth' | 'furrowed' | 'plated';
+  readonly kind: BarkKind;
   /** sRGB, '#rrggbb': ridges, and the depth of furrows and marks. */
   readonly colour: string;
   readonly dark: string;
@@ -123,20 +158,71 @@ export interface BarkLook {
   readonly roughness: number;
   /** Depth of the relief, 0..1. */
   readonly relief: number;
+  /** How far ridges stand out of the stem where one is near, metres. */
+  readonly depth: number;
+  /** Colour of twigs; absent: between the two. */
+  readonly young?: string;
+  /** Radius in metres at which the bark of twigs has become that of old wood. */
+  readonly youngRadius: number;
+  /** How much of the stem moss covers, from the foot and the shaded side on, and lichen, in patches; 0..1. */
+  readonly moss: number;
+  readonly mossColour: string;
+  readonly lichen: number;
+  readonly lichenColour: string;
 }
 
 export interface FoliageLook {
   /** Outline that is drawn in place of `leaves.shape`, same ids; absent: `leaves.shape`. */
   readonly outline?: number;
+  /** Free outline in place of a shape: half widths of the blade, 0..1 of half its width, at even steps from base to tip. */
+  readonly margin?: readonly number[];
   /** Drawn length of a blade as a part of `leaves.scale`, where the printed leaf is too small for its tree. */
   readonly size: number;
   /** sRGB, '#rrggbb': upper face, lower face, and light that comes through. */
   readonly colour: string;
   readonly under: string;
   readonly glow: string;
+  /** A second colour of the upper face and the part of the leaves that are on their way to it: what an autumn ramps to. */
+  readonly second?: string;
+  readonly secondShare: number;
   /** How much the colour varies from leaf to leaf, 0..1. */
   readonly variation: number;
   readonly roughness: number;
+  /** How much light a blade holds back, 0..1: 0 a thin leaf that glows, 1 one that lets nothing through. */
+  readonly thickness: number;
+  /** How strongly veins show, 0..1. */
+  readonly veins: number;
+  /** Part of the leaves that are there, 0..1. */
+  readonly cover: number;
+}
+
+export const ORGAN_KINDS = ['none', 'blossom', 'fruit', 'cone', 'catkin'] as const;
+export type OrganKind = (typeof ORGAN_KINDS)[number];
+
+/** What twigs bear besides leaves, at the places of some of them. */
+export interface OrganLook {
+  readonly kind: OrganKind;
+  /** Part of the places of leaves at which one stands, 0..1. */
+  readonly share: number;
+  /** Metres across (blossom, fruit) or along (cone, catkin). */
+  readonly size: number;
+  /** sRGB, '#rrggbb': petals, skin or scales; their middle, stalk or gaps. */
+  readonly colour: string;
+  readonly second: string;
+}
+
+/** What a season changes of foliage and organs; what is absent is as in summer. */
+export interface SeasonLook {
+  readonly cover?: number;
+  readonly colour?: string;
+  readonly second?: string;
+  readonly secondShare?: number;
+  readonly under?: string;
+  readonly glow?: string;
+  readonly organ?: OrganKind;
+  readonly organShare?: number;
+  readonly organSize?: number;
+  readonly organColour?: string;
 }
 
 export interface WindAnswer {

@@ -11,6 +11,10 @@ const sections: Readonly<Record<SectionId, string>> = {
   pruning: 'Pruning',
   bark: 'Bark',
   foliage: 'Look of the leaves',
+  organ: 'Blossom and fruit',
+  spring: 'In spring',
+  autumn: 'In autumn',
+  winter: 'In winter',
   wind: 'Answer to the wind',
   switches: 'Readings of the paper',
 };

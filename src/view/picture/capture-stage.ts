@@ -1,5 +1,5 @@
 import { type Box3, MathUtils } from 'three';
-import type { CameraPose } from '../../core/link/link.ts';
+import type { CameraPose, StageId } from '../../core/link/link.ts';
 import type { PackedTree } from '../../core/pack/packed.ts';
 import type { StemTable } from '../../core/pack/stem-table.ts';
 import type { Species } from '../../core/species/species.ts';
@@ -22,6 +22,8 @@ export interface Sitter {
   readonly show: Show;
   readonly dark: boolean;
   readonly channel: ChannelView | null;
+  /** Where it stands, and when; by default the meadow at its own hour. */
+  readonly scene?: { readonly stage: StageId; readonly hour: number | null };
 }
 
 /** What is drawn around the tree: all of the stage, the ground without its grass, or nothing. */
@@ -66,7 +68,7 @@ export class CaptureStage {
 
   /** Sets a tree on the stage, in its wind as if that had always blown. */
   take(sitter: Sitter): void {
-    const { packed, stems, species, wind, show, dark, channel } = sitter;
+    const { packed, stems, species, wind, show, dark, channel, scene } = sitter;
     this.#sitter = sitter;
     this.#tree.setTree(packed, species);
     this.#tree.setWind(wind);
@@ -75,6 +77,7 @@ export class CaptureStage {
     this.#tree.showLeaves = show.showLeaves ? 'auto' : false;
     this.#tree.mode = show.view;
     if (channel) this.#tree.showChannel(channel, stems);
+    this.#stage.setScene(scene?.stage ?? 'meadow', scene?.hour ?? null);
     this.#stage.setDark(dark);
   }
 

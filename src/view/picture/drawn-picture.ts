@@ -1,5 +1,6 @@
 import { MathUtils, PerspectiveCamera, Ray, Vector3 } from 'three';
 import type { CameraPose } from '../../core/link/link.ts';
+import { inSeason, type Season } from '../../core/species/season.ts';
 import type { Species } from '../../core/species/species.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import { CpuPoser } from '../../gpu/cpu-poser.ts';
@@ -51,6 +52,7 @@ export class DrawnPicture implements Picture {
   private time = 0;
   private grown: GrownTree | null = null;
   private species: Species | null = null;
+  private season: Season = 'summer';
   private pose: Float32Array = new Float32Array(0);
   private shown: Show = { levelsShown: Number.POSITIVE_INFINITY, showLeaves: true, view: 'shaded' };
   private dark = false;
@@ -106,6 +108,13 @@ export class DrawnPicture implements Picture {
     this.dark = dark;
   }
 
+  setSeason(season: Season): void {
+    this.season = season;
+  }
+
+  /** A drawing has one light. */
+  setStage(): void {}
+
   setInsets(insets: Insets): void {
     this.insets = insets;
     this.place();
@@ -125,7 +134,7 @@ export class DrawnPicture implements Picture {
     this.poser.update(null, time, this.felt);
     const posed = performance.now();
     const { levelsShown, showLeaves } = this.shown;
-    drawStillPicture(context, this.eye, packed, this.species, {
+    drawStillPicture(context, this.eye, packed, inSeason(this.species, this.season), {
       dark: this.dark,
       levels: levelsShown,
       leaves: showLeaves && levelsShown >= packed.levels.length,

@@ -1,6 +1,7 @@
 import { Vector3 } from 'three';
 import { treeSize } from '../../core/grow/tree-size.ts';
-import type { CameraPose } from '../../core/link/link.ts';
+import type { CameraPose, StageId } from '../../core/link/link.ts';
+import { inSeason, type Season } from '../../core/species/season.ts';
 import type { Species } from '../../core/species/species.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import { SceneOverlays } from '../overlay/scene-overlays.ts';
@@ -78,7 +79,10 @@ export class LivePicture implements Picture {
   private windMs = 0;
   private readonly pace = new Pace();
   private readonly portraits = new Portraits();
+  /** As its file has it, and as it looks in the season. */
+  private plain: Species | null = null;
   private species: Species | null = null;
+  private season: Season = 'summer';
   private shown: Show = { levelsShown: Number.POSITIVE_INFINITY, showLeaves: true, view: 'shaded' };
   private dark = false;
   private size: [width: number, height: number] = [1, 1];
@@ -166,8 +170,9 @@ export class LivePicture implements Picture {
   setTree(grown: GrownTree, species: Species, { draft = false }: { readonly draft?: boolean } = {}): void {
     this.draft = draft;
     this.grown = grown;
-    this.species = species;
-    this.tree.setTree(grown.packed, species);
+    this.plain = species;
+    this.species = inSeason(species, this.season);
+    this.tree.setTree(grown.packed, this.species);
     const size = uprightBox(grown.packed.bounds).getSize(new Vector3());
     this.reach = Math.max(size.y, 2);
     this.overlays.setTree(
@@ -182,6 +187,18 @@ export class LivePicture implements Picture {
     this.showChannel();
     this.forgetPoses();
     this.place();
+  }
+
+  setSeason(season: Season): void {
+    if (season === this.season) return;
+    this.season = season;
+    if (!this.grown || !this.plain) return;
+    this.species = inSeason(this.plain, season);
+    this.tree.setTree(this.grown.packed, this.species);
+  }
+
+  setStage(stage: StageId, hour: number | null): void {
+    this.stage.setScene(stage, hour);
   }
 
   setWind(wind: Wind, fade: number): void {
@@ -345,7 +362,7 @@ export class LivePicture implements Picture {
   }
 
   portrait(grown: GrownTree, species: Species, options: PortraitOptions): Promise<Blob> {
-    return this.portraits.take(grown, species, this.dark, options);
+    return this.portraits.take(grown, inSeason(species, this.season), this.dark, options);
   }
 
   async openCapture(options: CaptureOptions): Promise<Capture> {

@@ -1,4 +1,5 @@
-import type { CameraPose, ViewMode } from '../../core/link/link.ts';
+import type { CameraPose, StageId, ViewMode } from '../../core/link/link.ts';
+import type { Season } from '../../core/species/season.ts';
 import type { PruningParameters, Species } from '../../core/species/species.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import type { GrownTree } from './grow-tree.ts';
@@ -159,6 +160,10 @@ export interface Picture {
   setOverlays(overlays: Overlays): void;
   show(how: Show): void;
   setDark(dark: boolean): void;
+  /** Dresses this tree, and those that follow, as the species looks in a season. */
+  setSeason(season: Season): void;
+  /** Where the tree stands; `hour` of the day by the sun, 0..24, null: the stage's own. */
+  setStage(stage: StageId, hour: number | null): void;
   setInsets(insets: Insets): void;
   /** null: frames the whole tree, and keeps doing so while trees and windows change. */
   setCamera(camera: CameraPose | null): void;

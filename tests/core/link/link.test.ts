@@ -11,11 +11,13 @@ import {
   OVERLAYS,
   OWN_WIND,
   roundDocument,
+  STAGES,
   THEMES,
   VIEW_MODES,
 } from '../../../src/core/link/link.ts';
 import { bytesToBase64 } from '../../../src/core/link/text.ts';
 import { PLACES, type SpeciesEdits } from '../../../src/core/species/edits.ts';
+import { SEASONS } from '../../../src/core/species/season.ts';
 import { type Gust, STILL, type Wave, type Wind, type WindRecord } from '../../../src/core/wind/wind.ts';
 import { anyEdits } from '../species/any-edits.ts';
 
@@ -68,6 +70,9 @@ const defaults: LinkDocument = roundDocument({
   showLeaves: true,
   view: 'shaded',
   theme: 'auto',
+  season: 'summer',
+  stage: 'meadow',
+  hour: null,
   overlays: OVERLAYS,
   probe: null,
   blowing: true,
@@ -166,6 +171,9 @@ const anyDocument: fc.Arbitrary<LinkDocument> = fc
     showLeaves: fc.boolean(),
     view: fc.constantFrom(...VIEW_MODES),
     theme: fc.constantFrom(...THEMES),
+    season: fc.constantFrom(...SEASONS),
+    stage: fc.constantFrom(...STAGES),
+    hour: orNull(number(0, 24)),
     overlays: fc.record({ arrows: fc.boolean(), fronts: fc.boolean(), handle: fc.boolean() }),
     probe: orNull(fc.nat(4294967295)),
     blowing: fc.boolean(),

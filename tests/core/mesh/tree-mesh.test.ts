@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { collar } from '../../../src/core/deform/collar.ts';
 import { stemRadius } from '../../../src/core/deform/radius.ts';
 import { surfacePoint } from '../../../src/core/deform/surface.ts';
+import { GRAINS_PER_TILE } from '../../../src/core/look/bark-image.ts';
 import { handlesOf } from '../../../src/core/math/frames.ts';
 import { expandLeaves } from '../../../src/core/mesh/expand-leaves.ts';
 import { COLLAR, levelShape } from '../../../src/core/mesh/level-shape.ts';
@@ -52,8 +53,7 @@ function offTwin(grown: GrownPacked, mesh: TreeMesh, pose: Float32Array) {
   return off;
 }
 
-const tileOf = ({ tree }: GrownPacked): number =>
-  tree.species.bark.grain * { smooth: 3, furrowed: 6, plated: 6 }[tree.species.bark.kind];
+const tileOf = ({ tree }: GrownPacked): number => tree.species.bark.grain * GRAINS_PER_TILE[tree.species.bark.kind];
 
 /** Twice the area of a triangle, and its normal along the mean of its corners' normals. */
 function triangle({ position, normal, index }: Pick<TreeMesh, 'position' | 'normal' | 'index'>, t: number) {

@@ -4,11 +4,20 @@ import fc from 'fast-check';
 import { describe, expect, it, test } from 'vitest';
 import { faultText } from '../../../src/core/file/fault.ts';
 import { roundEdits } from '../../../src/core/link/encode-edits.ts';
-import { ALL_LEVELS, OWN_WIND, roundCamera, roundTime, roundWind, VIEW_MODES } from '../../../src/core/link/link.ts';
+import {
+  ALL_LEVELS,
+  OWN_WIND,
+  roundCamera,
+  roundTime,
+  roundWind,
+  STAGES,
+  VIEW_MODES,
+} from '../../../src/core/link/link.ts';
 import { MOST_SNAPSHOTS } from '../../../src/core/project/limits.ts';
 import { type Project, parseProject, projectText } from '../../../src/core/project/project.ts';
 import type { ProjectDocument } from '../../../src/core/project/project-document.ts';
 import { parseSpecies } from '../../../src/core/species/parse.ts';
+import { SEASONS } from '../../../src/core/species/season.ts';
 import { folder } from '../grow/species.ts';
 import { anyEdits } from '../species/any-edits.ts';
 import { anyWind } from '../wind/any-winds.ts';
@@ -28,6 +37,9 @@ const document: ProjectDocument = {
   view: 'levels',
   levelsShown: 2,
   showLeaves: false,
+  season: 'autumn',
+  stage: 'golden',
+  hour: 18.5,
   overlays: { arrows: true, fronts: false, handle: true },
   probe: 12,
   camera: { azimuth: 30, elevation: 5, distance: 20, target: [0, 6, 0] },
@@ -117,6 +129,9 @@ describe('a project file', () => {
       view: fc.constantFrom(...VIEW_MODES),
       levelsShown: fc.integer({ min: 1, max: 9 }),
       showLeaves: fc.boolean(),
+      season: fc.constantFrom(...SEASONS),
+      stage: fc.constantFrom(...STAGES),
+      hour: fc.option(fc.integer({ min: 0, max: 96 }).map((quarter) => quarter / 4)),
       overlays: fc.record({ arrows: fc.boolean(), fronts: fc.boolean(), handle: fc.boolean() }),
       probe: fc.option(fc.nat(), { nil: null }),
       camera: fc.option(

@@ -4,6 +4,7 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { faultText } from '../../../src/core/file/fault.ts';
 import { parseSpecies } from '../../../src/core/species/parse.ts';
+import { BARK_KINDS } from '../../../src/core/species/species.ts';
 import { folder, shipped } from '../grow/species.ts';
 
 type Json = Record<string, unknown>;
@@ -48,7 +49,7 @@ describe('one fault, at its path, with what was found and what is allowed', () =
     ['leaves.count', -1e6, '-1000000', 'a number from -1000 to 10000'],
     ['pruning', undefined, 'nothing', 'an object'],
     ['switches.pruneBase', 'yes', 'the text "yes"', 'true or false'],
-    ['bark.kind', 'scaly', 'the text "scaly"', '"smooth", "furrowed", "plated"'],
+    ['bark.kind', 'scaly', 'the text "scaly"', BARK_KINDS.map((kind) => `"${kind}"`).join(', ')],
     ['bark.colour', '<b>red</b>', 'the text "<b>red</b>"', 'a colour as "#rrggbb"'],
     ['wind.stiffness', [1, 0], 'the list [1, 0]', 'a list of 1 to 8 numbers from 0.01 to 1000'],
     ['name', '', 'the text ""', 'a text of 1 to 80 characters'],

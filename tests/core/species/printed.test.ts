@@ -53,17 +53,6 @@ describe.each(names.map((name, column) => ({ name, column })))('$name', ({ name,
       expect(found, paths).toEqual(columns[column]);
     }
   });
-
-  test('is written out in full: parsing fills in nothing', () => {
-    const text = readFileSync(join(folder, `${name}.json`), 'utf8');
-    const { leaves, foliage, ...rest } = JSON.parse(text);
-    const species = shipped(name);
-    expect({ ...species }).toMatchObject(rest);
-    expect({ ...species.leaves, ...species.foliage }).toEqual({ ...leaves, ...foliage });
-    for (const group of ['tree', 'pruning', 'switches', 'bark', 'wind'] as const) {
-      expect(Object.keys(rest[group]).sort()).toEqual(Object.keys(species[group]).sort());
-    }
-  });
 });
 
 test('the index lists every shipped species with the names in its file', () => {

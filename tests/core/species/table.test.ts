@@ -4,6 +4,7 @@ import { isAllowed } from '../../../src/core/file/allowed.ts';
 import { describeParameters } from '../../../src/core/species/describe.ts';
 import { defaultOf, GROUPS, PARAMETERS } from '../../../src/core/species/parameters.ts';
 import { speciesJsonSchema } from '../../../src/core/species/schema.ts';
+import { BARK_KINDS } from '../../../src/core/species/species.ts';
 import { folder, names, shipped } from '../grow/species.ts';
 
 describe('the parameter table', () => {
@@ -76,7 +77,7 @@ describe('the JSON Schema', () => {
 
   test('has the limits of the table', () => {
     expect(schema.properties.tree.properties.levels).toMatchObject({ type: 'integer', minimum: 1, maximum: 8 });
-    expect(schema.properties.bark.properties.kind).toMatchObject({ enum: ['smooth', 'furrowed', 'plated'] });
+    expect(schema.properties.bark.properties.kind).toMatchObject({ enum: [...BARK_KINDS] });
     expect(schema.properties.tree.additionalProperties).toBe(false);
   });
 });

@@ -12,6 +12,10 @@ export const SECTION_IDS = [
   'pruning',
   'bark',
   'foliage',
+  'organ',
+  'spring',
+  'autumn',
+  'winter',
   'wind',
   'switches',
 ] as const;
