@@ -1,7 +1,8 @@
 import { Tree } from '@dgreenheck/ez-tree';
 import { Box3, type MeshPhongMaterial, type Object3D, type WebGLRenderer } from 'three';
 import { shippedWind } from '../e2e/pages/shipped-wind.ts';
-import type { Species } from '../src/core/species/species.ts';
+import { parseSpecies } from '../src/core/species/parse.ts';
+import { inSeason, type Season } from '../src/core/species/season.ts';
 import { uprightBox } from '../src/view/tree-extent.ts';
 import { WindTree } from '../src/view/wind-tree.ts';
 import { growInWorker } from '../src/worker/client.ts';
@@ -44,12 +45,12 @@ export async function windgroveTree(
   name: string,
   seed: number,
   renderer: WebGLRenderer,
-  leafBudget?: number,
+  { leafBudget, season = 'summer' }: { readonly leafBudget?: number; readonly season?: Season } = {},
 ): Promise<Contestant> {
-  const species = (await (await fetch(`/species/${name}.json`)).json()) as Species;
+  const species = parseSpecies(await (await fetch(`/species/${name}.json`)).text()).species!;
   const { packed } = await growInWorker(species, seed);
   const tree = new WindTree(leafBudget === undefined ? {} : { leafBudget });
-  tree.setTree(packed, species);
+  tree.setTree(packed, inSeason(species, season));
   tree.setWind(await shippedWind('breeze'));
   tree.setShadows(true, true);
   return {

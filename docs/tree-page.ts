@@ -1,4 +1,5 @@
 // What the pages of the pictures share: one tree on the stage, drawn at any time as its playing would.
+import { parseSpecies } from '../src/core/species/parse.ts';
 import type { Species } from '../src/core/species/species.ts';
 import type { Wind } from '../src/core/wind/wind.ts';
 import { Stage } from '../src/view/stage.ts';
@@ -13,7 +14,7 @@ export const asked = (name: string, otherwise: string): string =>
 export const textOf = async (file: string): Promise<string> => (await fetch(`/${file}`)).text();
 
 export const speciesAsked = async (): Promise<Species> =>
-  JSON.parse(await textOf(`species/${asked('species', 'quaking-aspen')}.json`));
+  parseSpecies(await textOf(`species/${asked('species', 'quaking-aspen')}.json`)).species!;
 
 /** The tree framed on a stage as large as the window; `show` draws it at a time, in seconds. */
 export async function treeOnStage(

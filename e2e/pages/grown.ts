@@ -3,6 +3,7 @@ import type { TreeStats } from '../../src/core/grow/stats.ts';
 import { growPacked } from '../../src/core/pack/grow-packed.ts';
 import type { PackedTree } from '../../src/core/pack/packed.ts';
 import type { StemTable } from '../../src/core/pack/stem-table.ts';
+import { parseSpecies } from '../../src/core/species/parse.ts';
 import type { Species } from '../../src/core/species/species.ts';
 import { uprightBox } from '../../src/view/tree-extent.ts';
 
@@ -18,7 +19,7 @@ export interface Grown {
 
 /** A shipped species by name, changed by `edit`. */
 export async function grown(name: string, seed: number, edit?: (species: Species) => Species): Promise<Grown> {
-  const read = (await (await fetch(`/species/${name}.json`)).json()) as Species;
+  const read = parseSpecies(await (await fetch(`/species/${name}.json`)).text()).species!;
   const species = edit ? edit(read) : read;
   const { packed, stems, stats } = growPacked(species, seed);
   return { species, packed, stems, stats, box: uprightBox(packed.bounds) };

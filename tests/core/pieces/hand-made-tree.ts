@@ -3,7 +3,7 @@ import type { Leaves, Stems, Tree } from '../../../src/core/grow/tree.ts';
 import { combine, hashUnit } from '../../../src/core/math/hash.ts';
 import type { Mat3, Vec3 } from '../../../src/core/math/vec3.ts';
 import { add, cross, scale, transform, unit } from '../../../src/core/math/vec3.ts';
-import type { Species } from '../../../src/core/species/species.ts';
+import { parseSpecies } from '../../../src/core/species/parse.ts';
 
 /** A stem as a test writes it down. */
 export interface HandStem {
@@ -27,7 +27,7 @@ export interface HandLeaf {
   orientation?: [number, number, number, number];
 }
 
-export const anySpecies = JSON.parse(readFileSync('public/species/quaking-aspen.json', 'utf8')) as Species;
+export const anySpecies = parseSpecies(readFileSync('public/species/quaking-aspen.json', 'utf8')).species!;
 
 /** A tree from stems and leaves written out by hand. */
 export function treeOf(stems: HandStem[], leaves: HandLeaf[] = [], species = anySpecies): Tree {

@@ -5,6 +5,7 @@ import { cross, dot, length, subtract, unit, type Vec3 } from '../../../src/core
 import { packTree } from '../../../src/core/pack/pack.ts';
 import { attachLeaves } from '../../../src/core/pieces/attach-leaves.ts';
 import { fitPieces } from '../../../src/core/pieces/fit-pieces.ts';
+import { parseSpecies } from '../../../src/core/species/parse.ts';
 import type { Species } from '../../../src/core/species/species.ts';
 import { windStateAt } from '../../../src/core/wind/fade.ts';
 import { planeOf, poseOf, poseTreePlainly } from '../../../src/core/wind/pose-plainly.ts';
@@ -16,7 +17,7 @@ const TIMES = [0.7, 2.9, 4.4, 6.1, 8.3, 11.2, 13.9, 17];
 
 /** The species without most of its leaves, which the wind pass does not know. */
 function bare(name: string): Species {
-  const species = JSON.parse(readFileSync(`public/species/${name}.json`, 'utf8')) as Species;
+  const species = parseSpecies(readFileSync(`public/species/${name}.json`, 'utf8')).species!;
   return { ...species, leaves: { ...species.leaves, count: Math.sign(species.leaves.count) } };
 }
 
