@@ -1,6 +1,6 @@
 import { resolve } from 'node:path';
 import { defineConfig } from 'vite';
-import glsl from 'vite-plugin-glsl';
+import { shaders } from './vite.glsl.ts';
 
 /** Pages that ship; each is an entry of the build. The pages of the browser tests are built beside them: vite.pages.config.ts. */
 const pages = ['index.html', 'crosscheck.html'];
@@ -15,8 +15,7 @@ export default defineConfig({
   base: './',
   server: { open: desktop && process.env.npm_lifecycle_event === 'start' },
   preview: { open: false },
-  // Each file guards itself: two that include the same third are no mistake.
-  plugins: [glsl({ root: '/shaders/', warnDuplicatedImports: false })],
+  plugins: [shaders()],
   // zundo asks for all of zustand, which brings React with it; it uses what the plain part has.
   resolve: { alias: [{ find: /^zustand$/, replacement: 'zustand/vanilla' }] },
   worker: { format: 'es' },

@@ -1,9 +1,9 @@
-import glsl from 'vite-plugin-glsl';
 import { defineConfig } from 'vitest/config';
+import { shaders } from './vite.glsl.ts';
 
 // Apart from vite.config.ts: tests need the shaders as text, not the pages or the build.
 export default defineConfig({
-  plugins: [glsl({ root: '/shaders/', warnDuplicatedImports: false })],
+  plugins: [shaders()],
   // As in vite.config.ts: zundo does without React.
   resolve: { alias: [{ find: /^zustand$/, replacement: 'zustand/vanilla' }] },
   test: {

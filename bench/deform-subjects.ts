@@ -65,7 +65,7 @@ const box = new Box3(new Vector3().setScalar(-HALF - 2), new Vector3().setScalar
 function bark() {
   const uniforms = barkUniforms();
   uniforms.barkMap.value = barkTexture('plated');
-  uniforms.barkTile.value = 0.7;
+  uniforms.barkTile.value.x = 0.7;
   uniforms.barkColour.value.set('#8a7a68');
   uniforms.barkDark.value.set('#3a3028');
   uniforms.barkRelief.value = 0.6;

@@ -3,7 +3,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { faultText } from '../src/core/file/fault.ts';
 import { parseIndex } from '../src/core/file/shipped-index.ts';
-import { parseWindWithRecord } from '../src/core/wind/load-wind.ts';
+import { parseWindWithRecord } from '../src/core/wind/wind-with-record.ts';
 import { windThumbnail } from './wind-thumbnail.ts';
 
 const folder = join(import.meta.dirname, '../public/winds');

@@ -2,6 +2,7 @@
 import type { CameraPose } from '../src/core/link/document.ts';
 import { editSpecies, type ParameterValue, type SpeciesEdits } from '../src/core/species/edits.ts';
 import { parseSpecies } from '../src/core/species/parse.ts';
+import { inSeason } from '../src/core/species/season.ts';
 import { STILL } from '../src/core/wind/wind.ts';
 import { type GrownTree, growTree } from '../src/view/picture/grow-tree.ts';
 import { openPicture } from '../src/view/picture/open-picture.ts';
@@ -96,7 +97,8 @@ async function taken(entry: ParameterPicture): Promise<readonly string[]> {
   const base = parseSpecies(await textOf(`species/${entry.species}.json`)).species!;
   const bare = !entry.leaves && (entry.view === 'whole' || entry.view === 'above') ? BARE : {};
   const made = (value: ParameterValue) => editSpecies(base, { ...bare, ...entry.edits, [placeOf(entry)]: value });
-  const kinds = [made(entry.low), made(entry.high)];
+  const season = entry.path.startsWith('autumn.') ? 'autumn' : 'summer';
+  const kinds = [made(entry.low), made(entry.high)].map((species) => inSeason(species, season));
   const trees: GrownTree[] = [];
   for (const species of kinds) trees.push(await growTree(species, entry.seed));
   const camera = cameraOf(entry, trees);

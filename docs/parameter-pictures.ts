@@ -40,6 +40,9 @@ export interface ParameterPicture {
 const ASPEN = { species: 'quaking-aspen', seed: 3 } as const;
 const OAK = { species: 'california-black-oak', seed: 4 } as const;
 const TUPELO = { species: 'black-tupelo', seed: 2 } as const;
+const MAPLE = { species: 'sugar-maple', seed: 1 } as const;
+const CHERRY = { species: 'cherry', seed: 1 } as const;
+const CACTUS = { species: 'saguaro-cactus', seed: 1 } as const;
 const WILLOW = { species: 'weeping-willow', seed: 1 } as const;
 
 type Rest = Omit<ParameterPicture, 'path' | 'low' | 'high' | 'view' | 'leaves'> & { readonly leaves?: boolean };
@@ -151,6 +154,8 @@ export const PARAMETER_PICTURES: readonly ParameterPicture[] = [
   pair('levels.rotate', -90, 140, 'above', { ...ASPEN, ...LIMBS, edits: { 'tree.ratio': 0.03 } }),
   pair('levels.rotateV', 0, 60, 'above', { ...ASPEN, ...LIMBS, edits: { 'levels.1.rotate': 180, 'tree.ratio': 0.03 } }),
   pair('levels.branches', 12, 80, 'whole', { ...ASPEN, ...LIMBS }),
+  pair('levels.lobes', 4, 14, 'whole', { ...CACTUS, level: 1, edits: { 'levels.1.lobeDepth': 0.3 } }),
+  pair('levels.lobeDepth', 0, 0.4, 'whole', { ...CACTUS, level: 1, edits: { 'levels.1.lobes': 8 } }),
 
   pair('leaves.count', 6, 50, 'whole', { ...ASPEN, leaves: true }),
   pair('leaves.shape', 0, 4, 'leaf', { ...ASPEN, leaves: true, edits: { 'foliage.outline': null } }),
@@ -158,6 +163,7 @@ export const PARAMETER_PICTURES: readonly ParameterPicture[] = [
   pair('leaves.scaleX', 0.25, 1.2, 'leaf', { ...ASPEN, leaves: true }),
   pair('leaves.petiole', 0, 1.5, 'leaf', { ...ASPEN, leaves: true }),
   pair('leaves.bend', 0, 1, 'spray', { ...ASPEN, leaves: true }),
+  pair('leaves.flat', 0, 1, 'spray', { ...ASPEN, leaves: true, edits: { 'leaves.bend': 0 } }),
   pair('leaves.quality', 0.2, 2, 'whole', { ...ASPEN, leaves: true }),
   pair('leaves.downAngle', 10, 100, 'spray', { ...ASPEN, leaves: true, edits: { 'leaves.bend': 0 } }),
   pair('leaves.rotate', -90, 77, 'spray', { ...ASPEN, leaves: true, edits: { 'leaves.bend': 0 } }),
@@ -189,6 +195,13 @@ export const PARAMETER_PICTURES: readonly ParameterPicture[] = [
   pair('bark.grain', 0.06, 0.4, 'bark', { ...TUPELO }),
   pair('bark.roughness', 0.2, 1, 'bark', { ...ASPEN }),
   pair('bark.relief', 0, 1, 'bark', { ...TUPELO }),
+  pair('bark.depth', 0, 0.03, 'bark', { ...TUPELO }),
+  pair('bark.young', '#6b2f2a', '#8fa25a', 'limb', { ...ASPEN, edits: { 'bark.youngRadius': 0.08 } }),
+  pair('bark.youngRadius', 0.01, 0.12, 'limb', { ...ASPEN, edits: { 'bark.young': '#6b2f2a' } }),
+  pair('bark.moss', 0, 0.9, 'bark', { ...TUPELO }),
+  pair('bark.mossColour', '#3f4f1e', '#a3a84a', 'bark', { ...TUPELO, edits: { 'bark.moss': 0.8 } }),
+  pair('bark.lichen', 0, 0.8, 'bark', { ...TUPELO }),
+  pair('bark.lichenColour', '#8fa3a0', '#d9b24a', 'bark', { ...TUPELO, edits: { 'bark.lichen': 0.6 } }),
 
   pair('foliage.outline', 1, 2, 'leaf', { ...OAK, leaves: true }),
   pair('foliage.size', 0.6, 1.8, 'spray', { ...ASPEN, leaves: true }),
@@ -197,6 +210,70 @@ export const PARAMETER_PICTURES: readonly ParameterPicture[] = [
   pair('foliage.glow', '#5f7a2a', '#ffe46b', 'spray', { ...ASPEN, leaves: true }),
   pair('foliage.variation', 0, 1, 'whole', { ...ASPEN, leaves: true }),
   pair('foliage.roughness', 0.1, 1, 'leaf', { ...ASPEN, leaves: true }),
+  pair('foliage.margin', [0, 1, 0.8, 0.3, 0], [0.2, 0.5, 0.7, 1, 0.1], 'leaf', { ...ASPEN, leaves: true }),
+  pair('foliage.second', '#e0b321', '#b3262b', 'whole', {
+    ...MAPLE,
+    leaves: true,
+    edits: { 'foliage.secondShare': 0.5 },
+  }),
+  pair('foliage.secondShare', 0.1, 0.9, 'whole', { ...MAPLE, leaves: true, edits: { 'foliage.second': '#d9822b' } }),
+  pair('foliage.thickness', 0, 1, 'spray', { ...ASPEN, leaves: true }),
+  pair('foliage.veins', 0, 1, 'leaf', { ...ASPEN, leaves: true }),
+  pair('foliage.cover', 0.2, 1, 'whole', { ...ASPEN, leaves: true }),
+
+  pair('organ.kind', 'blossom', 'fruit', 'spray', { ...CHERRY, leaves: true, edits: { 'organ.share': 0.4 } }),
+  pair('organ.share', 0.1, 0.8, 'spray', { ...CHERRY, leaves: true, edits: { 'organ.kind': 'blossom' } }),
+  pair('organ.size', 0.015, 0.05, 'spray', {
+    ...CHERRY,
+    leaves: true,
+    edits: { 'organ.kind': 'fruit', 'organ.share': 0.4 },
+  }),
+  pair('organ.colour', '#f4e3e6', '#c4203a', 'spray', {
+    ...CHERRY,
+    leaves: true,
+    edits: { 'organ.kind': 'fruit', 'organ.share': 0.4 },
+  }),
+  pair('organ.second', '#e8c33a', '#6d2a3c', 'leaf', {
+    ...CHERRY,
+    leaves: true,
+    edits: { 'organ.kind': 'blossom', 'organ.share': 0.6, 'organ.size': 0.05 },
+  }),
+
+  // One picture for all seasons: they change the same.
+  pair('autumn.cover', 0.15, 1, 'whole', { ...MAPLE, leaves: true }),
+  pair('autumn.colour', '#d9a521', '#b3261e', 'whole', { ...MAPLE, leaves: true, edits: { 'autumn.secondShare': 0 } }),
+  pair('autumn.second', '#e0c021', '#7d1a24', 'whole', {
+    ...MAPLE,
+    leaves: true,
+    edits: { 'autumn.secondShare': 0.6 },
+  }),
+  pair('autumn.secondShare', 0.05, 0.9, 'whole', {
+    ...MAPLE,
+    leaves: true,
+    edits: { 'autumn.colour': '#7c9a3a', 'autumn.second': '#c23b22' },
+  }),
+  pair('autumn.under', '#6f6a2c', '#e5c98a', 'leaf', { ...MAPLE, leaves: true }),
+  pair('autumn.glow', '#8a5a1c', '#ffd34a', 'spray', { ...MAPLE, leaves: true }),
+  pair('autumn.organ', 'none', 'fruit', 'spray', {
+    ...CHERRY,
+    leaves: true,
+    edits: { 'autumn.cover': 1, 'autumn.organShare': 0.4, 'autumn.organColour': '#8e1430' },
+  }),
+  pair('autumn.organShare', 0.1, 0.8, 'spray', {
+    ...CHERRY,
+    leaves: true,
+    edits: { 'autumn.cover': 1, 'autumn.organ': 'fruit', 'autumn.organColour': '#8e1430' },
+  }),
+  pair('autumn.organSize', 0.012, 0.045, 'spray', {
+    ...CHERRY,
+    leaves: true,
+    edits: { 'autumn.cover': 1, 'autumn.organ': 'fruit', 'autumn.organShare': 0.4, 'autumn.organColour': '#8e1430' },
+  }),
+  pair('autumn.organColour', '#e0a52c', '#8e1430', 'spray', {
+    ...CHERRY,
+    leaves: true,
+    edits: { 'autumn.cover': 1, 'autumn.organ': 'fruit', 'autumn.organShare': 0.4 },
+  }),
 ];
 
 /** The path of a picture's parameter in a species. */

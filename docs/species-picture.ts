@@ -24,6 +24,8 @@ export interface SpeciesJob {
   readonly width: number;
   readonly height: number;
   readonly fine: number;
+  /** Without loss, for comparing. */
+  readonly png?: boolean;
 }
 
 /** Tangent of half the camera's vertical field of view. */
@@ -82,7 +84,20 @@ function viewOf(view: SpeciesView, tree: GrownTree, pixels: number): Viewpoint {
 let stage: CaptureStage | null = null;
 const trees = new Map<string, GrownTree>();
 
-async function picture(job: SpeciesJob): Promise<string> {
+/** Qualities that are tried until a picture is small enough, and pixels of blur: a willow of a million strands is softer, not full of blocks. */
+const TRIES = [
+  [0.86, 0],
+  [0.76, 0],
+  [0.64, 0],
+  [0.52, 0],
+  [0.52, 0.45],
+  [0.46, 0.6],
+  [0.4, 0.75],
+  [0.34, 0.9],
+] as const;
+
+/** The picture as a data: address of a WebP of at most `most` bytes, as far as that can be. */
+async function picture(job: SpeciesJob, most = Number.POSITIVE_INFINITY): Promise<string> {
   const { species, faults } = parseSpecies(job.text);
   if (!species) throw new Error(faults.map(faultText).join('\n'));
   const key = `${job.seed} ${job.text}`;
@@ -111,7 +126,17 @@ async function picture(job: SpeciesJob): Promise<string> {
   const context = small.getContext('2d', { alpha: false })!;
   context.imageSmoothingQuality = 'high';
   context.drawImage(canvas, 0, 0, job.width, job.height);
-  return small.toDataURL('image/webp', 0.86);
+  if (job.png) return small.toDataURL('image/png');
+  let data = '';
+  for (const [quality, blur] of TRIES) {
+    if (blur > 0) {
+      context.filter = `blur(${blur}px)`;
+      context.drawImage(canvas, 0, 0, job.width, job.height);
+    }
+    data = small.toDataURL('image/webp', quality);
+    if (0.75 * (data.length - data.indexOf(',')) <= most) break;
+  }
+  return data;
 }
 
 Object.assign(window, { windgroveSpecies: picture });

@@ -179,8 +179,9 @@ test('who wants less motion finds time standing still, and is told so', async ({
   await expect.poll(() => page.evaluate(() => window.windgrove!.time())).toBeGreaterThan(0);
 });
 
-test('a first visit sees the aspen move', async ({ page }) => {
+test('a first visit sees the aspen move, once it has seen that there are others', async ({ page }) => {
   await open(page, '');
+  await page.keyboard.press('Escape');
   expect(await state(page)).toMatchObject({ species: 'quaking-aspen', paused: false, blowing: true });
   await expect.poll(() => page.evaluate(() => window.windgrove!.time())).toBeGreaterThan(0);
 });

@@ -199,7 +199,7 @@ test('a wave is set with the keyboard: the wind changes, the link says so, nothi
 test('another species, another seed, fewer levels: the tree follows, and so does the link', async ({ page }) => {
   const complaints = await open(page, `${BARE}&s=quaking-aspen`);
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('Quaking Aspen');
-  await page.getByRole('radio', { name: 'Black Tupelo' }).check();
+  await page.getByRole('combobox', { name: 'Species', exact: true }).selectOption('Black Tupelo');
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('Black Tupelo');
   await ready(page);
   const tupelo = await tips(page);

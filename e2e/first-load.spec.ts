@@ -52,7 +52,9 @@ test('less than 350 kB of JavaScript travel before the first tree moves, and wha
   expect(LATER.filter(([, code]) => code.test(all)).map(([name]) => name)).toEqual([]);
 
   // They do come: the panels by themselves, the rest when it is opened.
-  await expect(page.getByRole('radio', { name: 'Black Tupelo' })).toBeVisible();
+  await expect(page.getByRole('link', { name: /Black Tupelo/ })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('combobox', { name: 'Species', exact: true })).toBeVisible();
   await page.keyboard.press('Control+k');
   await expect(page.getByRole('combobox', { name: 'Find a command' })).toBeFocused();
 });

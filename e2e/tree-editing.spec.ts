@@ -99,7 +99,7 @@ test('a tree that is stopped while it grows leaves the last one, its numbers and
     await held;
     await route.continue();
   });
-  await page.getByRole('radio', { name: 'Weeping Willow' }).check();
+  await page.getByRole('combobox', { name: 'Species', exact: true }).selectOption('Weeping Willow');
   await page.getByText('Growing Weeping Willow…').waitFor();
   await page.getByRole('button', { name: 'Stop', exact: true }).click();
   await ready(page);

@@ -72,7 +72,7 @@ test('what is locked stays with another species; reset all keeps it; a name of i
   expect((await state(page)).treeName).toBe('My aspen');
   await page.getByRole('button', { name: 'Reset all' }).click();
   expect(await edits(page)).toEqual({ 'levels.1.length': 0.5 });
-  await page.getByRole('radio', { name: /Black Tupelo/ }).check({ force: true });
+  await page.getByRole('combobox', { name: 'Species', exact: true }).selectOption('Black Tupelo');
   await ready(page);
   expect(await edits(page)).toMatchObject({ 'levels.1.length': 0.5 });
   await page.getByRole('button', { name: 'Unlock all' }).click();

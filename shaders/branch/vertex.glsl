@@ -15,8 +15,10 @@ uniform vec4 stemShape[2];
 
 struct BranchVertex {
   SurfacePoint surface;
-  // Of the stem here: metres from its base, its radius, radius at its base, its length, the parent's radius.
+  // Of the stem here: part of its length, metres from its base, its length, its radius, radius at its base, the parent's radius.
+  float z;
   float along;
+  float stemLength;
   float radius;
   float baseRadius;
   float parentRadius;
@@ -29,7 +31,7 @@ BranchVertex branchVertex() {
   if (place >= branchRange.y) {
     // The tail of the last bundle: every corner falls on one point, so nothing is drawn.
     SurfacePoint nowhere = SurfacePoint(vec3(0.0), vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0));
-    return BranchVertex(nowhere, 0.0, 0.0, 1.0, 0.0, 0.0);
+    return BranchVertex(nowhere, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0);
   }
   ivec2 texel = texelOf(branchRange.x + place, branchLog2Width);
   vec4 span = texelFetch(branches, ivec3(texel, BRANCH_SPAN), 0);
@@ -40,6 +42,10 @@ BranchVertex branchVertex() {
 #ifdef FLARED
   // The flare falls to a hundredth over an eighth of the stem: crowd the rings of its first piece towards the ground.
   if (span.y == 0.0) v *= mix(1.0, v, 0.85);
+#endif
+#ifdef JOINED
+  // What a joint turns and widens lies near the base: crowd the rings of a first piece there.
+  if (span.y == 0.0) v *= mix(1.0, v, 0.5);
 #endif
   float z = span.y + part * v;
 #ifdef PLAIN_STEM
@@ -100,9 +106,24 @@ BranchVertex branchVertex() {
     around,
     unitOr(g * section.along + slope * radial, section.along)
   );
+#ifdef JOINED
+  // Near the parent the surface turns over into the parent's, as where the wood has grown around both.
+  vec4 joint = texelFetch(branches, ivec3(texel, BRANCH_JOINT), 0);
+  if (dot(joint.xyz, joint.xyz) > 0.5) {
+    vec3 first = unitOr(pose.curve.p1 - pose.curve.p0, section.along);
+    vec3 axis = joint.x * first + joint.y * pose.across + joint.z * cross(first, pose.across);
+    vec3 out_ = result.surface.position - pose.curve.p0;
+    out_ -= axis * dot(out_, axis);
+    float far = length(out_);
+    float near = 1.0 - smoothstep(0.8 * stem.w, stem.w + 1.3 * span.w, far);
+    result.surface.normal = unitOr(mix(result.surface.normal, out_ / max(far, 1e-6), 0.85 * near), result.surface.normal);
+  }
 #endif
 #endif
+#endif
+  result.z = z;
   result.along = along;
+  result.stemLength = stem.x;
   result.radius = rho.x;
   result.baseRadius = span.w;
   result.parentRadius = stem.w;

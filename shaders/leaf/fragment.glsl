@@ -1,28 +1,41 @@
-// Colour of a leaf: upper and lower face, its own hue, veins near by, and light that comes through from behind.
+// Colour of a leaf: upper and lower face, how far it has turned, and veins near by.
 in vec4 vLeaf;
+flat in vec4 vLeafTint;
+flat in vec3 vLeafThrough;
 
-uniform vec3 leafColour;
 uniform vec3 leafUnder;
-uniform vec3 leafGlow;
-uniform float leafVariation;
 uniform vec4 levelTint;
 
-vec3 leafThrough;
+// What veins leave of the light that comes through.
+float leafClear = 1.0;
+
+#ifdef LEAF_VEINS
+#include /leaf/ramp.glsl
+#include /leaf/veins.glsl
+#endif
 
 vec3 leafDiffuse(bool front) {
-  float own = vLeaf.x;
-  float value = 1.0 + leafVariation * (fract(own * 7.31) - 0.5) * 1.1;
-  // Some leaves are younger and yellower, few are old and dull.
-  float young = leafVariation * fract(own * 13.7);
-  vec3 face = front ? leafColour : mix(leafColour, leafUnder, 0.35);
-  vec3 c = mix(face, leafGlow, young * 0.8) * value;
+  vec3 c = vLeafTint.rgb;
+#ifdef LEAF_ORGAN
+  // Petals and their middle, scales and the gaps between them.
+  c = mix(c, leafUnder, vLeaf.z);
+#else
+  float turned = vLeafTint.w;
 #ifdef LEAF_VEINS
-  float rib = 1.0 - smoothstep(0.0, 0.07, vLeaf.z);
-  float side = abs(fract((vLeaf.w - 0.55 * vLeaf.z) * 7.0) - 0.5);
-  float vein = (1.0 - smoothstep(0.0, 0.09, side)) * 0.5 * (1.0 - smoothstep(0.3, 1.0, vLeaf.z));
-  c *= 1.0 - 0.10 * vein;
-  c = mix(c, c * 1.35 + 0.02, max(rib, 0.35 * vein));
+  if (turned > 0.0 && turned < 1.0) {
+    // A leaf turns from its margin inwards.
+    float here = clamp(1.9 * turned - 0.9 * (1.0 - max(vLeaf.x, 0.0)), 0.0, 1.0);
+    c *= leafRamp(here) / max(leafRamp(turned), 0.004);
+  }
+  if (leafVeins.y > 0.5) {
+    vec3 veins = leafVeinsAt(vLeaf.z, vLeaf.w) * min(2.0 * leafVeins.x, 1.0);
+    c *= 1.0 - 0.12 * veins.y + 0.1 * (veins.z - 0.5 * min(2.0 * leafVeins.x, 1.0));
+    c = mix(c, c * 1.35 + 0.02, max(veins.x, 0.4 * veins.y));
+    leafClear = 1.0 - 0.5 * max(veins.x, 0.6 * veins.y);
+  }
 #endif
-  leafThrough = mix(leafGlow, leafColour * 1.6, 0.4) * value;
+  if (!front) c = mix(c, leafUnder, 0.35 - 0.2 * turned);
+  if (vLeaf.x < -0.5) c = mix(c, leafUnder, 0.5);
+#endif
   return mix(c, levelTint.rgb, levelTint.a);
 }

@@ -12,7 +12,7 @@ void RE_Direct_Leaf(
   float towards = saturate(-dot(geometryViewDir, directLight.direction));
   towards *= towards;
   float through = 0.5 * behind + 0.5 * towards * towards * (0.35 + 0.65 * behind);
-  reflectedLight.directDiffuse += directLight.color * leafThrough * (through * vLeaf.y * RECIPROCAL_PI);
+  reflectedLight.directDiffuse += directLight.color * vLeafThrough * (through * leafClear * vLeaf.y * RECIPROCAL_PI);
 }
 #undef RE_Direct
 #define RE_Direct RE_Direct_Leaf

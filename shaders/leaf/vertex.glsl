@@ -1,5 +1,5 @@
 // Places one leaf on its piece and lets it tremble. Read by the standard, depth and distance materials alike.
-// position, normal: the unit leaf. blade: distance from the midrib | along the blade | copy within the bundle | petiole.
+// position, normal: the unit leaf. blade: distance from the midrib | along the blade | copy within the bundle | how near to the margin.
 #include /branch/section.glsl
 #include /lib/hash.glsl
 #include /lib/quaternion.glsl
@@ -16,6 +16,8 @@ uniform ivec2 leafRange;
 uniform vec2 leafSize;
 // Widest angle in radians | time in sixteenths of a beat, wrapped to 0..1
 uniform vec2 leafFlutter;
+// How far an organ hangs down whichever way its twig points, 0..1.
+uniform float leafHang;
 // Direction towards which it blows at the tree, tree axes; shorter than 1 where it hardly does.
 uniform vec2 leafWind;
 
@@ -54,6 +56,16 @@ LeafVertex leafVertex() {
   n = frame * rotateByQuaternion(leaf.orientation, n);
   // Blades lean downwind, from the foot of the stalk on, which stays where it grew.
   vec3 along = frame * rotateByQuaternion(leaf.orientation, vec3(0.0, 0.0, 1.0));
+#ifdef LEAF_ORGAN
+  // An organ is round: which side of it shows does not matter.
+  vec3 across = frame * rotateByQuaternion(leaf.orientation, vec3(1.0, 0.0, 0.0));
+  along = normalize(mix(along, vec3(0.001, 0.0, -1.0), leafHang));
+  across = normalize(across - along * dot(across, along) + vec3(0.01, 0.013, 0.0));
+  across = normalize(across - along * dot(across, along));
+  mat3 hung = mat3(across, cross(along, across), along);
+  p = hung * swung(position * leafSize.y, sines, cosines);
+  n = hung * swung(normal, sines, cosines);
+#endif
   vec3 leant = leanTowards(along, leafWind, swing.lean);
   return LeafVertex(section.centre + turnAlong(p, along, leant), turnAlong(n, along, leant), own);
 }

@@ -1,15 +1,19 @@
 // Tufts of grass on the ground: they stand in the ground's own light, so they never read as things apart from it.
 // position: root x | height of the corner | root z, roots in a square of side 2. normal.xy: offset of the corner, normal.z: tone.
 #include /stage/field.glsl
+#include /stage/sky.glsl
 
 out vec3 vGround;
-// Height on the blade | tone | how far the wind has laid it over, 0..1.
-out vec3 vBlade;
+out vec3 vHaze;
+// Height on the blade | tone | how far the wind has laid it over, 0..1 | 0, or 0..1 for the colour of a flower.
+out vec4 vBlade;
 
 // Middle of the square before the eye (x, z), metres, and log2 of half its side.
 uniform vec3 grassSquare;
 // As the ground has it: z is the radius of the trunk's foot.
 uniform vec4 groundReach;
+// Height of the grass as a multiple, share of the blades that bear a flower.
+uniform vec2 grassGrowth;
 
 vec3 grassPoint() {
   // Sides are powers of two, so that no blade slides while the eye moves; each tuft goes to the next one at a moment of its
@@ -33,9 +37,19 @@ vec3 grassPoint() {
   float strength = length(force);
   float lean = 1.0 - exp(-strength * mix(4.0, 9.0, normal.z));
   vec2 way = force / max(strength, 1e-6);
-  float up = position.y * grown;
+  vec2 offset = normal.xy;
+  float high = position.y;
+  float own = fract(position.x * 517.3 + position.z * 283.1);
+  float flower = 0.0;
+  if (own < grassGrowth.y * mix(0.2, 1.8, step(0.5, fract(dot(floor(root * 0.35), vec2(0.37, 0.73)) * 1.618)))) {
+    // Its triangle stands on its tip: a head on a stalk too thin to see.
+    flower = 0.05 + 0.95 * fract(own * 7919.0);
+    high = high > 0.0 ? 0.16 : 0.2;
+    offset = high > 0.18 ? normalize(offset + 1e-5) * 0.016 : vec2(0.0);
+  }
+  float up = high * grown * grassGrowth.x;
   float angle = 0.21 * lean;
-  vec2 corner = normal.xy * grown * (position.y > 0.0 ? 1.0 - 0.5 * lean : 1.0) + vec2(way.x, -way.y) * (up * sinTurns(angle));
-  vBlade = vec3(position.y > 0.0 ? 1.0 : 0.0, normal.z, lean);
+  vec2 corner = offset * grown * (position.y > 0.0 ? 1.0 - 0.5 * lean : 1.0) + vec2(way.x, -way.y) * (up * sinTurns(angle));
+  vBlade = vec4(position.y > 0.0 || flower > 0.0 ? 1.0 : 0.0, normal.z, lean, flower);
   return vec3(root.x + corner.x, up * cosTurns(angle), root.y + corner.y);
 }

@@ -6,7 +6,8 @@ out vec3 vSky;
 
 void main() {
   vDirection = position;
-  vSky = skyColour(position);
+  // Between the horizon and the next row of corners the skylines' band covers it.
+  vSky = position.y < 0.001 ? farField(position) : skyColour(position);
   vec4 p = projectionMatrix * mat4(mat3(viewMatrix)) * vec4(position, 1.0);
   gl_Position = p.xyww;
 }

@@ -1,5 +1,5 @@
 import { OWN_WIND, roundWind } from '../core/link/link.ts';
-import { parseAnemometer } from '../core/wind/anemometer.ts';
+import type { parseAnemometer } from '../core/wind/anemometer.ts';
 import { LONGEST_WIND, parseWind } from '../core/wind/parse-wind.ts';
 import type { Wind } from '../core/wind/wind.ts';
 import { windText } from '../core/wind/wind-file.ts';
@@ -16,12 +16,8 @@ export function readWind(text: string, title: string): Wind {
   return parsed.wind;
 }
 
-function parsedRecord(csv: string, name: string) {
-  const parsed = parseAnemometer(csv, { name });
-  return parsed.record
-    ? { record: parsed.record, notes: parsed.notes, faults: [] }
-    : { record: null, notes: [], faults: parsed.faults };
-}
+/** What the file of an anemometer was read as. */
+export type ParsedRecord = ReturnType<typeof parseAnemometer>;
 
 /** `Gusty afternoon` as `gusty-afternoon`: the name of a file. */
 const fileName = (name: string): string =>
@@ -54,13 +50,13 @@ export function fileActions({ document, session, services, set, say, notify }: D
     /** Takes the text of a file. */
     openWind: (opened: string, name: string) => take(opened, messageWords.notOpened(name)),
     /** Takes a measured wind: it blows in place of the waves. */
-    openRecord(csv: string, name: string): boolean {
-      const { record, notes, faults } = parsedRecord(csv, name);
-      if (!record) {
-        const { message, lines } = FileError.of(messageWords.notOpened(name), faults);
+    openRecord(parsed: ParsedRecord, name: string): boolean {
+      if (!parsed.record) {
+        const { message, lines } = FileError.of(messageWords.notOpened(name), parsed.faults);
         notify('error', message, lines);
         return false;
       }
+      const { record, notes } = parsed;
       const silent = editedWind(document, session).wind.waves.map((wave) => ({ ...wave, on: false }));
       putWind(document, session, { record, waves: silent });
       if (!document.getState().blowing) set({ blowing: true });

@@ -2,7 +2,7 @@ import type { StemTable } from '../core/pack/stem-table.ts';
 import { watch } from './document-store.ts';
 import type { Doing } from './doing.ts';
 import type { SessionStore } from './session.ts';
-import { treeWords } from './words/tree.ts';
+import { stemWords } from './words/stem.ts';
 
 /** Levels that a panel shows; deeper stems have the last one's numbers. */
 const LAST_LEVEL = 3;
@@ -48,7 +48,7 @@ export function stemActions({ session, say }: Doing) {
 /** What a stem is called: 'Limb 7 of 32'. */
 export const stemName = (stems: StemTable, stem: number): string => {
   const level = stems.level[stem]!;
-  return treeWords.stem.name(level, stems.numberInLevel[stem]!, stems.countOfLevel[level]!, stems.clone[stem] === 1);
+  return stemWords.name(level, stems.numberInLevel[stem]!, stems.countOfLevel[level]!, stems.clone[stem] === 1);
 };
 
 /** Lets the selection find its stem in every tree that takes the last one's place; it goes with a stem that is gone. */

@@ -7,8 +7,10 @@ import {
   type ViewMode,
 } from '../core/link/link.ts';
 import type { Season } from '../core/species/season.ts';
+import type { Quality } from '../view/picture/quality.ts';
 import { exportActions } from './actions-export.ts';
 import { fileActions } from './actions-files.ts';
+import { galleryActions } from './actions-gallery.ts';
 import { gustActions } from './actions-gusts.ts';
 import { historyActions } from './actions-history.ts';
 import { projectActions } from './actions-project.ts';
@@ -60,6 +62,7 @@ export function createActions(
     ...projectActions(doing, readers),
     ...stemActions(doing),
     ...exportActions(doing),
+    ...galleryActions(doing, readers),
 
     setLevels: (levelsShown: number) => set({ levelsShown }),
     setShowLeaves: (showLeaves: boolean) => set({ showLeaves }),
@@ -74,6 +77,15 @@ export function createActions(
       savePreferences(preferences);
       set({ theme });
     },
+
+    setQuality(quality: Quality): void {
+      preferences.quality = quality;
+      savePreferences(preferences);
+      session.setState({ quality });
+    },
+    /** Photo mode, in and out. */
+    setPhoto: (photo: boolean) =>
+      session.setState({ photo, ...(photo ? { dialog: null, stem: null, stemPath: null } : {}) }),
 
     notify,
     dismiss(id: number): void {
@@ -95,8 +107,9 @@ export function createActions(
     },
     /** Leaves the mode that the page is in; false where it is in none. */
     leave(): boolean {
-      const { throwing, gust, stem } = session.getState();
-      if (throwing) gusts.setThrowing(false);
+      const { throwing, gust, photo, stem } = session.getState();
+      if (photo) session.setState({ photo: false });
+      else if (throwing) gusts.setThrowing(false);
       else if (gust !== null) session.setState({ gust: null });
       else if (stem !== null) session.setState({ stem: null, stemPath: null });
       else return false;

@@ -12,6 +12,7 @@ import type { Editor } from './editor.ts';
 import { FileError } from './file-error.ts';
 import { firstDocument } from './first-document.ts';
 import { followDocument } from './follow-document.ts';
+import { followGallery } from './follow-gallery.ts';
 import { followTitle } from './follow-title.ts';
 import { Grower } from './grower.ts';
 import { listenToHolds } from './hold-controls.ts';
@@ -47,7 +48,7 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
   const lessMotion = matchMedia('(prefers-reduced-motion: reduce)').matches;
   const clock = new Clock();
   const address = new Address();
-  const session = createSession({ embed: address.embed });
+  const session = createSession({ embed: address.embed, quality: preferences.quality });
   // In a frame of another page nothing is made, so nothing is kept.
   const work = address.embed ? null : pageWork();
 
@@ -116,6 +117,8 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
       if (grower.current && catchingUp === null) root.dataset.ready = 'true';
     },
     () => picture.moving || session.getState().catchingUp !== null,
+    // The gallery covers all of the window; the first tree stands before it is closed.
+    () => session.getState().dialog === 'gallery' && root.dataset.ready === 'true',
   );
   const { picture, lack, reason } = await openPicture(
     host,
@@ -164,7 +167,9 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
     address.write(now());
   });
   window.addEventListener('pagehide', () => address.flush());
+  followGallery({ session, actions, address, now, uncovered: loop.invalidate });
   window.addEventListener('hashchange', () => {
+    if (address.gallery !== null || address.isWritten) return;
     const next = address.read(decoding);
     document.setState(next.document);
     restart();
@@ -191,6 +196,9 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
     if (faults.length === 0) return;
     actions.notify('error', messageWords.link, linkFaultLines(faults));
   };
+  // Who asks for nothing, and left nothing here, chooses first.
+  if (address.gallery !== null) actions.openGallery(address.gallery || null);
+  else if (!index.error && !address.asks && begin?.kind === 'fresh') actions.openGallery();
   if (index.error) tell(messageWords.noSpecies, index.error);
   for (const error of broken) tell(messageWords.noWind, error);
   tellFaults(first.faults);

@@ -8,7 +8,16 @@ import { fadeOf } from './fade.ts';
 const blowing = (d: LinkDocument, wind: Wind): Wind => (d.blowing ? wind : { ...wind, strength: 0 });
 
 /** What of the session is drawn in the scene. */
-const IN_SCENE = ['highlight', 'throwing', 'handling', 'stem', 'hoveredStem', 'envelopeShown', 'channel'] as const;
+const IN_SCENE = [
+  'highlight',
+  'throwing',
+  'handling',
+  'stem',
+  'hoveredStem',
+  'envelopeShown',
+  'channel',
+  'photo',
+] as const;
 
 /** What the picture draws beside A: nothing, or B. */
 const beside = (d: LinkDocument) =>
@@ -32,7 +41,9 @@ export function followDocument(
     // Whoever looks at the studio sees what it listens to, chosen or not.
     const shown = open && place ? place.piece : probe;
     const envelope = envelopeShown && tree ? tree.species.pruning : null;
-    const inScene = { stem, hoveredStem, handles: stem !== null, envelope, channel };
+    // A photograph shows what blows, not what it is held by.
+    const handle = overlays.handle && !session.getState().photo;
+    const inScene = { handle, stem, hoveredStem, handles: stem !== null, envelope, channel };
     picture.setOverlays({ ...overlays, ...inScene, probe: shown, highlight, throwing, handling });
   };
   document.subscribe((now, before) => {
@@ -57,6 +68,10 @@ export function followDocument(
     });
   });
   session.subscribe((now, before) => {
+    if (now.quality !== before.quality) {
+      picture.setQuality(now.quality);
+      onChange({ grow: false });
+    }
     const pruned = now.envelopeShown && now.tree?.species.pruning !== before.tree?.species.pruning;
     if (!pruned && IN_SCENE.every((key) => now[key] === before[key])) return;
     overlays();
@@ -77,6 +92,7 @@ export function followDocument(
     picture.setCompare(beside(now), 0);
     picture.setSeason(now.season);
     picture.setStage(now.stage, now.hour);
+    picture.setQuality(session.getState().quality);
     picture.setCamera(now.camera);
     picture.show(now);
     overlays();

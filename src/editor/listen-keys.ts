@@ -5,7 +5,7 @@ import { COMMANDS, type Command, type CommandGroup, drawLevels } from './shortcu
 /** Input elements in which letters, digits and arrows are no text. */
 const PLAIN = ['range', 'checkbox', 'radio', 'file', 'color', 'button'];
 
-/** What acts in a frame of another page, where only the picture is shown. */
+/** What acts in a frame of another page and in photo mode, where only the picture is shown. */
 const IN_FRAMES: readonly CommandGroup[] = ['time', 'wind', 'view'];
 
 /** Number boxes in which something was typed that is not yet used: there, undo is the box's own. */
@@ -56,7 +56,8 @@ export function listenToKeys(editor: Editor): () => void {
       return;
     }
     const found = COMMANDS.find((c) => c.act && c.keys.some((k) => sameKey(k, key)));
-    if (!found || (editor.session.getState().embed && !IN_FRAMES.includes(found.group))) return;
+    const { embed, photo } = editor.session.getState();
+    if (!found || ((embed || photo) && !IN_FRAMES.includes(found.group)) || (embed && found.id === 'photo')) return;
     // Even where it can do nothing now: the browser's own meaning of the key would surprise.
     event.preventDefault();
     if (event.repeat && !found.repeats) {

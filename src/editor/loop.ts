@@ -20,11 +20,19 @@ export class Loop {
   private readonly clock: Ticking;
   private readonly draw: (time: number) => void;
   private readonly moving: () => boolean;
+  private readonly covered: () => boolean;
 
-  constructor(clock: Ticking, draw: (time: number) => void, moving: () => boolean) {
+  /** `covered`: nothing of the picture can be seen, so time stands and nothing is drawn until the next `invalidate` after it. */
+  constructor(
+    clock: Ticking,
+    draw: (time: number) => void,
+    moving: () => boolean,
+    covered: () => boolean = () => false,
+  ) {
     this.clock = clock;
     this.draw = draw;
     this.moving = moving;
+    this.covered = covered;
   }
 
   /** Milliseconds from frame to frame while playing, smoothed; 0 where time stands. */
@@ -50,6 +58,7 @@ export class Loop {
 
   private readonly frame = (now: number): void => {
     this.scheduled = 0;
+    if (this.covered()) return;
     const { clock } = this;
     const passed = now - this.last;
     this.last = now;

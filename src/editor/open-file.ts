@@ -1,5 +1,6 @@
 import { isArbaro, isEzTree } from '../core/io/imported.ts';
 import { isProjectText } from '../core/project/limits.ts';
+import type { ParsedRecord } from './actions-files.ts';
 import type { DiskFile, Doing } from './doing.ts';
 import { FileError } from './file-error.ts';
 import { type KeptFile, keptFile } from './kept-file.ts';
@@ -9,7 +10,7 @@ import { fileWords } from './words/files.ts';
 /** Those actions that take a text of one kind. */
 export interface Readers {
   openWind(text: string, name: string): boolean;
-  openRecord(text: string, name: string): boolean;
+  openRecord(parsed: ParsedRecord, name: string): boolean;
   openSpecies(text: string): void;
   setSeed(seed: number): void;
   /** Keeps what is shown as a snapshot of this name. */
@@ -42,8 +43,11 @@ export async function showFile(text: string, file: DiskFile, opening: Opening): 
   const { name } = file;
   if (isProjectText(text)) await showProject(text, file, opening);
   else if (isWindText(text)) opening.document.history.together(() => opening.openWind(text, name));
-  else if (/\.csv$/i.test(name)) opening.document.history.together(() => opening.openRecord(text, name));
-  else if (isArbaro(text) || isEzTree(text)) await showImported(text, name, opening);
+  else if (/\.csv$/i.test(name)) {
+    const { parseAnemometer } = await import('../core/wind/anemometer.ts');
+    const parsed = parseAnemometer(text, { name });
+    opening.document.history.together(() => opening.openRecord(parsed, name));
+  } else if (isArbaro(text) || isEzTree(text)) await showImported(text, name, opening);
   else {
     readSpecies(text, fileWords.notOpened(name));
     opening.openSpecies(text);

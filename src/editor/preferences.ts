@@ -1,8 +1,11 @@
 import { THEMES, type Theme } from '../core/link/link.ts';
+import { QUALITIES, type Quality } from '../view/picture/quality.ts';
 
 /** What the editor remembers on this machine; never in a link. */
 export interface Preferences {
   theme: Theme;
+  /** How finely the picture is drawn. */
+  quality: Quality;
   /** Names of the folds that are closed, or open where they start closed. */
   folds: Record<string, boolean>;
   /** Height of the studio's drawer in pixels; null: as the window's height suggests. */
@@ -20,6 +23,7 @@ export interface Preferences {
 const KEY = 'windgrove';
 const fresh = (): Preferences => ({
   theme: 'auto',
+  quality: 'auto',
   folds: {},
   studioHeight: null,
   growWidth: null,
@@ -38,12 +42,13 @@ export function loadPreferences(): Preferences {
   try {
     const found: unknown = JSON.parse(localStorage.getItem(KEY) ?? '{}');
     if (typeof found !== 'object' || found === null) return fresh();
-    const { theme, folds, studioHeight, growWidth, shortcuts, exports, visited } = found as Partial<
+    const { theme, quality, folds, studioHeight, growWidth, shortcuts, exports, visited } = found as Partial<
       Record<keyof Preferences, unknown>
     >;
     const entries = Object.entries(folds ?? {}).filter((e): e is [string, boolean] => typeof e[1] === 'boolean');
     return {
       theme: THEMES.find((t) => t === theme) ?? 'auto',
+      quality: QUALITIES.find((q) => q === quality) ?? 'auto',
       folds: Object.fromEntries(entries),
       studioHeight: pixels(studioHeight),
       growWidth: pixels(growWidth),

@@ -1,18 +1,17 @@
 import { createStore } from 'zustand/vanilla';
+import type { IndexEntry } from '../core/file/shipped-index.ts';
 import type { LinkDocument } from '../core/link/link.ts';
 import type { StemTable } from '../core/pack/stem-table.ts';
 import type { Species } from '../core/species/species.ts';
 import type { Wind } from '../core/wind/wind.ts';
 import type { WizardChoice } from '../core/wind/wizard.ts';
 import type { ChannelView, FrameFigures, Insets } from '../view/picture/picture.ts';
+import type { Quality } from '../view/picture/quality.ts';
 import type { KeptFile } from './kept-file.ts';
 
 /** A species of `species/index.json`. */
-export interface SpeciesEntry {
-  readonly id: string;
-  readonly name: string;
+export interface SpeciesEntry extends IndexEntry {
   readonly latin: string;
-  readonly file: string;
 }
 
 /** A wind that ships: an entry of `winds/index.json`, and what its file says. */
@@ -96,7 +95,7 @@ export const PANELS = ['grow', 'wind', 'studio', 'time', 'view'] as const;
 export type Panel = (typeof PANELS)[number];
 
 /** What can lie over the page: each is loaded when it is first opened (ui/dialogs.ts). */
-export type Dialog = 'help' | 'palette' | 'history' | 'export' | 'variety' | 'tour';
+export type Dialog = 'gallery' | 'help' | 'palette' | 'history' | 'export' | 'variety' | 'tour';
 
 /** Which of the two winds that are compared is edited; A where there is one. */
 export type Side = 'A' | 'B';
@@ -120,6 +119,8 @@ export interface Session {
   readonly offer: boolean;
   /** What lies over the page: one at a time. */
   readonly dialog: Dialog | null;
+  /** Id of the species whose page lies open in the gallery; null: all of them. */
+  readonly speciesPage: string | null;
   /** The next click on the ground throws a gust. */
   readonly throwing: boolean;
   /** A control of the whole wind's direction or strength has the focus: the handle in the scene shows it. */
@@ -169,6 +170,10 @@ export interface Session {
   readonly fileName: string | null;
   /** What is shown differs from that file. */
   readonly changed: boolean;
+  /** How finely the picture is to be drawn. */
+  readonly quality: Quality;
+  /** The interface is gone but for a frame and a shutter. */
+  readonly photo: boolean;
   /** The page stands in another page: the tree alone, without panels. */
   readonly embed: boolean;
 }
@@ -188,6 +193,7 @@ export const createSession = (initial: Partial<Session> = {}) =>
     panels: false,
     offer: false,
     dialog: null,
+    speciesPage: null,
     throwing: false,
     handling: false,
     side: 'A',
@@ -215,6 +221,8 @@ export const createSession = (initial: Partial<Session> = {}) =>
     file: null,
     fileName: null,
     changed: false,
+    quality: 'auto',
+    photo: false,
     embed: false,
     ...initial,
   }));

@@ -60,6 +60,7 @@ export const COMMANDS: readonly Command[] = [
   { id: 'palette', group: 'edit', keys: [mod('k')], act: (e) => e.actions.openDialog('palette') },
   { id: 'search', group: 'edit', keys: [key('/')], act: (e) => void showSearch(e) },
 
+  { id: 'gallery', group: 'tree', keys: [key('p')], act: (e) => e.actions.openGallery() },
   { id: 'seed', group: 'tree', keys: [key('d')], act: (e) => e.actions.rollSeed() },
   { id: 'variety', group: 'tree', keys: [key('m')], act: (e) => e.actions.openDialog('variety') },
   {
@@ -127,6 +128,15 @@ export const COMMANDS: readonly Command[] = [
     act: (e) => e.actions.setCamera(null),
     enabled: (e) => e.document.getState().camera !== null,
   },
+  { id: 'photo', group: 'view', keys: [key('v')], act: (e) => e.actions.setPhoto(!e.session.getState().photo) },
+  { id: 'seasonSpring', group: 'view', keys: [], act: (e) => e.actions.setSeason('spring') },
+  { id: 'seasonSummer', group: 'view', keys: [], act: (e) => e.actions.setSeason('summer') },
+  { id: 'seasonAutumn', group: 'view', keys: [], act: (e) => e.actions.setSeason('autumn') },
+  { id: 'seasonWinter', group: 'view', keys: [], act: (e) => e.actions.setSeason('winter') },
+  { id: 'stageMeadow', group: 'view', keys: [], act: (e) => e.actions.setStage('meadow') },
+  { id: 'stagePark', group: 'view', keys: [], act: (e) => e.actions.setStage('park') },
+  { id: 'stageGolden', group: 'view', keys: [], act: (e) => e.actions.setStage('golden') },
+  { id: 'stageStudio', group: 'view', keys: [], act: (e) => e.actions.setStage('studio') },
   { id: 'themeAuto', group: 'view', keys: [], act: (e) => e.actions.setTheme('auto') },
   { id: 'themeLight', group: 'view', keys: [], act: (e) => e.actions.setTheme('light') },
   { id: 'themeDark', group: 'view', keys: [], act: (e) => e.actions.setTheme('dark') },

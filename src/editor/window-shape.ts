@@ -19,6 +19,14 @@ export function followWidth(session: SessionStore): void {
 /** What the panels cover now. */
 function measure(root: Element): Insets {
   const rect = (selector: string): DOMRect | undefined => root.querySelector(selector)?.getBoundingClientRect();
+  const frame = rect('.photo-frame');
+  if (frame)
+    return {
+      top: frame.top,
+      left: frame.left,
+      right: window.innerWidth - frame.right,
+      bottom: window.innerHeight - frame.bottom,
+    };
   const top = rect('.top')?.bottom ?? 0;
   if (document.documentElement.classList.contains('narrow')) {
     // Pulled up all the way, the sheet hides the tree; it is not squeezed into the strip that is left.
@@ -44,13 +52,17 @@ export function followInsets(root: Element, session: SessionStore, onInsets: (in
   const look = (): void => {
     sizes.disconnect();
     sizes.observe(root);
-    for (const part of root.querySelectorAll('.side, .sheet, .bottom, .top')) sizes.observe(part);
+    for (const part of root.querySelectorAll('.side, .sheet, .bottom, .top, .photo-frame')) sizes.observe(part);
     tell();
   };
-  watch(
-    session,
-    (s) => s.narrow,
-    () => requestAnimationFrame(look),
-  );
+  for (const which of ['narrow', 'photo'] as const) {
+    watch(
+      session,
+      (s) => s[which],
+      () => requestAnimationFrame(look),
+    );
+  }
+  // The frame of photo mode comes when its code has been loaded.
+  root.addEventListener('photo-frame', look);
   look();
 }

@@ -1,5 +1,5 @@
 import { type Box3, BufferAttribute, InstancedBufferGeometry, Sphere } from 'three';
-import { type LeafGrain, leafMesh } from '../core/look/leaf-mesh.ts';
+import type { LeafMesh } from '../core/look/leaf-mesh.ts';
 import { branchGrid, type GridSpec } from './grid.ts';
 
 /** Copies of a grid or a leaf in one instance: an instance costs a software rasteriser as much as thirty vertices. */
@@ -39,18 +39,8 @@ export function branchGeometry(spec: GridSpec, count: number, box: Box3): Instan
   return bounded(geometry, box);
 }
 
-/** What a leaf looks like, in lengths of its blade. */
-export interface LeafGeometrySpec {
-  readonly shape: number;
-  readonly width: number;
-  readonly petiole: number;
-  readonly grain: LeafGrain;
-}
-
-/** Leaves as instanced geometry; `box` bounds them in tree space. */
-export function leafGeometry(spec: LeafGeometrySpec, count: number, box: Box3): InstancedBufferGeometry {
-  const bundle = bundleFor(count);
-  const mesh = leafMesh(spec.shape, spec.width, spec.petiole, spec.grain, bundle);
+/** Leaves, `bundle` copies a mesh, as instanced geometry over `count` of them; `box` bounds them in tree space. */
+export function leafGeometry(mesh: LeafMesh, count: number, bundle: number, box: Box3): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(mesh.position, 3));
   geometry.setAttribute('normal', new BufferAttribute(mesh.normal, 3));

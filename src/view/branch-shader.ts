@@ -1,5 +1,7 @@
+import barkDepth from '../../shaders/branch/bark-depth.glsl';
 import barkFragment from '../../shaders/branch/bark-fragment.glsl';
 import barkVertex from '../../shaders/branch/bark-vertex.glsl';
+import barkWrap from '../../shaders/branch/bark-wrap.glsl';
 import branchVertex from '../../shaders/branch/vertex.glsl';
 import channel from '../../shaders/debug/channel.glsl';
 import crown from '../../shaders/leaf/crown.glsl';
@@ -9,8 +11,22 @@ import type { Injection, Patch } from './inject.ts';
 
 /** Where the deformer takes over from three's own vertex; every material has these. */
 const shape: readonly Patch[] = [
-  { anchor: '#include <common>', after: `${layoutGlsl()}\n${branchVertex}` },
-  { anchor: '#include <uv_vertex>', before: 'BranchVertex here = branchVertex();' },
+  {
+    anchor: '#include <common>',
+    after: `${layoutGlsl()}
+${branchVertex}
+${barkWrap}
+#ifdef BARK_DEEP
+${barkDepth}
+#endif`,
+  },
+  {
+    anchor: '#include <uv_vertex>',
+    before: `BranchVertex here = branchVertex();
+#ifdef BARK_DEEP
+here.surface.position += here.surface.normal * barkRise(here, normal.x);
+#endif`,
+  },
   {
     anchor: '#include <beginnormal_vertex>',
     instead: `vec3 objectNormal = here.surface.normal;

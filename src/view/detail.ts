@@ -16,6 +16,8 @@ const FACTOR: Record<Detail, number> = { auto: 1, high: 4, low: 0.4 };
 
 /** Least radius in pixels of each step, and its sectors: a polygon's flat sides stay below about half a pixel. */
 const SECTORS: readonly (readonly [number, number])[] = [
+  [300, 48],
+  [130, 36],
   [48, 24],
   [20, 16],
   [8, 12],
@@ -36,12 +38,34 @@ const BANDS: readonly (readonly [near: number, far: number])[] = [
  * The grid for a level of `pieces` pieces whose stems are `radius` pixels thick on screen.
  *
  * Triangles cost more than the deformer's arithmetic, so thin branches become ribbons of two columns, and where many thick
- * ones would take too many triangles they are drawn as if they were thinner.
+ * ones would take too many triangles they are drawn as if they were thinner. `slenderness`: how many radii long a piece is, where the relief
+ * of its bark is to stand out; 0 where it is not.
  */
-export function gridDetail(level: number, radius: number, pieces: number, detail: Detail): GridDetail {
+export function gridDetail(level: number, radius: number, pieces: number, detail: Detail, slenderness = 0): GridDetail {
+  const relief =
+    slenderness > 0 ? reliefGrid(radius * FACTOR[detail], slenderness, RELIEF_TRIANGLES[detail] / pieces) : null;
+  if (relief) return relief;
   const grid = gridFor(level, radius * FACTOR[detail]);
+  // Blades of grass are trunks as well: where there are too many for tubes even of the thinnest, they are ribbons too.
+  if (radius < 1e-3) return { ...grid, sectors: 1 };
   if (grid.sectors === 1 || pieces * grid.sectors * grid.bands * 2 <= STEM_TRIANGLES[detail]) return grid;
   return gridDetail(level, radius / 2, pieces, detail);
+}
+
+/** Sectors that follow a relief, and the radius in pixels from which they are worth it. */
+const RELIEF_SECTORS: readonly (readonly [least: number, sectors: number])[] = [
+  [240, 96],
+  [110, 72],
+  [0, 48],
+];
+
+/** A grid whose cells are about square, as fine as a relief asks for within `triangles` a piece; null where not even the coarsest is. */
+function reliefGrid(pixels: number, slenderness: number, triangles: number): GridDetail | null {
+  for (const [least, sectors] of RELIEF_SECTORS) {
+    const bands = Math.min(160, Math.max(16, 8 * Math.ceil((sectors * slenderness) / (16 * Math.PI))));
+    if (pixels >= least && 2 * sectors * bands <= triangles) return { sectors, bands };
+  }
+  return null;
 }
 
 function gridFor(level: number, pixels: number): GridDetail {
@@ -54,6 +78,9 @@ function gridFor(level: number, pixels: number): GridDetail {
   return { sectors, bands: sectors === 1 && pixels < 0.2 ? Math.min(2, banded) : banded };
 }
 
+/** Length in pixels from which on a leaf is seen near by. */
+const NEAR = 42;
+
 /**
  * How finely `count` leaves are drawn whose blades are `length` pixels long on screen; `triangles` tells what a leaf of a grain takes.
  */
@@ -65,12 +92,17 @@ export function leafGrain(
 ): LeafGrain {
   const pixels = length * FACTOR[detail];
   const affordable = (grain: LeafGrain): boolean => triangles(grain) * count <= FOLIAGE_TRIANGLES[detail];
-  if (pixels >= 42 && affordable('near')) return 'near';
+  if (pixels >= NEAR && affordable('near')) return 'near';
   return pixels >= 9 && affordable('middle') ? 'middle' : 'far';
 }
 
+/** Do veins show on leaves whose blades are `length` pixels long on screen? */
+export const showsVeins = (length: number, detail: Detail): boolean => length * FACTOR[detail] >= NEAR;
+
 /** Triangles that one level of stems, and the leaves, may take before a coarser form is chosen. */
 const STEM_TRIANGLES: Record<Detail, number> = { auto: 240_000, high: 2_000_000, low: 60_000 };
+/** And that the relief of their bark may take. */
+const RELIEF_TRIANGLES: Record<Detail, number> = { auto: 70_000, high: 600_000, low: 20_000 };
 const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 700_000, high: 6_000_000, low: 100_000 };
 
 /** Leaves that are drawn at most, by default. */

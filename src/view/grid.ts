@@ -6,6 +6,8 @@ export interface GridSpec {
   readonly bands: number;
   /** Close the end with a fan: needed where the taper leaves the tip open. */
   readonly cap: boolean;
+  /** Crowd the rows towards the end: a half sphere there is a small part of a long stem, and would be a cone else. */
+  readonly round?: boolean;
   /** Copies of the grid in one instance; each bends along a piece of its own. */
   readonly bundle: number;
 }
@@ -39,7 +41,7 @@ function columnAngle(column: number, sectors: number): [number, number] {
  * instance costs such a rasteriser far more than a vertex. Throws RangeError on a spec that makes no surface.
  */
 export function branchGrid(spec: GridSpec): Grid {
-  const { sectors, bands, cap, bundle } = spec;
+  const { sectors, bands, cap, bundle, round } = spec;
   const ribbon = sectors === 1;
   if (!ribbon && sectors < 3) throw new RangeError(`grid: sectors must be 1 or at least 3, found ${sectors}`);
   if (bands < 1 || bundle < 1)
@@ -64,7 +66,8 @@ export function branchGrid(spec: GridSpec): Grid {
         const [c, s] = ribbon ? [column * 2 - 1, 0] : columnAngle(column, sectors);
         position[p] = centre ? 0 : c;
         position[p + 1] = centre ? 0 : s;
-        position[p + 2] = centre ? 1 : row / bands;
+        const v = row / bands;
+        position[p + 2] = centre ? 1 : round ? v * (2 - v) : v;
         shape[p] = column / sectors;
         shape[p + 1] = copy;
         p += 3;

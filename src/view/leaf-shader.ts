@@ -34,7 +34,8 @@ export const LEAF_STANDARD: Injection = {
   normalize(normalMatrix * crownNormal(here.position)),
   projectionMatrix[2][3] == 0.0
 );
-vLeaf = vec4(here.own, crownSky(here.position), blade.xy);
+vLeaf = vec4(blade.w, crownSky(here.position), blade.xy);
+leafColours(here.own);
 #ifdef CHANNEL_VIEW
 LeafTexel channelLeaf = leafTexel(texelFetch(leaves, ivec3(texelOf(gl_InstanceID * leafRange.y + int(blade.z), leafLog2Width), LEAF_LEAF), 0));
 vec3 channelFoot = sectionAt(readPose(channelLeaf.piece, channelLeaf.odd), channelLeaf.v).centre;

@@ -1,6 +1,16 @@
-import { BufferAttribute, BufferGeometry, type Camera, DoubleSide, Mesh, MeshLambertMaterial, Vector3 } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type Camera,
+  DoubleSide,
+  type IUniform,
+  Mesh,
+  MeshLambertMaterial,
+  Vector3,
+} from 'three';
 import grassGlsl from '../../shaders/stage/grass.glsl';
 import groundGlsl from '../../shaders/stage/ground.glsl';
+import groundNormal from '../../shaders/stage/ground-normal.glsl';
 import { hashPcg, hashUnit } from '../core/math/hash.ts';
 import type { ForceField } from './force-field.ts';
 import type { Ground } from './ground.ts';
@@ -9,7 +19,7 @@ import { inject } from './inject.ts';
 const ahead = new Vector3();
 
 /** Tufts, blades of each. */
-const TUFTS = 3600;
+const TUFTS = 10_000;
 const BLADES = 2;
 
 /** Half the side of the square of grass, metres, for a middle at a distance of a metre; it grows with this power of the distance. */
@@ -27,22 +37,24 @@ export const GRASS_INJECTION = {
     {
       anchor: '#include <begin_vertex>',
       instead: `vec3 transformed = grassPoint();
-vGround = (modelMatrix * vec4(transformed, 1.0)).xyz;`,
+vGround = (modelMatrix * vec4(transformed, 1.0)).xyz;
+vHaze = farField(vGround - cameraPosition);`,
     },
   ],
   fragment: [
-    { anchor: '#include <common>', after: `${groundGlsl}\nin vec3 vBlade;` },
+    { anchor: '#include <common>', after: `${groundGlsl}\nin vec4 vBlade;` },
     {
       anchor: '#include <map_fragment>',
-      after:
-        'diffuseColor.rgb *= mix(groundDiffuse() * 0.82, grassLight * (0.8 + 0.45 * vBlade.y + 0.3 * vBlade.z), vBlade.x * 0.7);',
+      after: `diffuseColor.rgb *= mix(groundDiffuse() * 0.82, grassLight * (0.8 + 0.45 * vBlade.y + 0.3 * vBlade.z), vBlade.x * 0.7);
+if (vBlade.w > 0.0) diffuseColor.rgb = vBlade.w < 0.6 ? vec3(0.78, 0.76, 0.7) : mix(vec3(0.75, 0.55, 0.08), vec3(0.42, 0.3, 0.6), step(0.86, vBlade.w));`,
     },
+    { anchor: '#include <shadowmap_pars_fragment>', after: groundNormal },
     // Both sides of a blade are lit as the ground under it is.
-    { anchor: '#include <normal_fragment_begin>', after: 'normal *= faceDirection;' },
+    { anchor: '#include <normal_fragment_begin>', after: 'normal = groundNormal(normal * faceDirection);' },
     { anchor: '#include <aomap_fragment>', after: 'reflectedLight.indirectDiffuse *= groundSky();' },
     {
       anchor: '#include <fog_fragment>',
-      after: 'gl_FragColor.rgb = mix(gl_FragColor.rgb, groundHaze, groundFade());',
+      after: 'gl_FragColor.rgb = mix(gl_FragColor.rgb, vHaze, groundFade());',
     },
   ],
 } as const;
@@ -93,8 +105,8 @@ export class Meadow extends Mesh<BufferGeometry, MeshLambertMaterial> {
   /** Middle of the square before the eye, and half its side as a power of two. */
   readonly #square = { value: new Vector3(0, 0, 3) };
 
-  /** `field`: the wind that lays the grass over. */
-  constructor(ground: Ground, field: ForceField) {
+  /** `field`: the wind that lays the grass over; `sky`: what it fades into. */
+  constructor(ground: Ground, field: ForceField, sky: Readonly<Record<string, IUniform>>) {
     const material = new MeshLambertMaterial();
     super(blades(), material);
     field.dress(material);
@@ -102,12 +114,18 @@ export class Meadow extends Mesh<BufferGeometry, MeshLambertMaterial> {
     inject(material, 'windgrove grass', GRASS_INJECTION, {
       ...ground.uniforms,
       ...field.uniforms,
+      ...sky,
       grassSquare: this.#square,
     });
     this.name = 'meadow';
     this.receiveShadow = true;
     this.frustumCulled = false;
     this.raycast = () => {};
+  }
+
+  /** Part of the tufts that grow, 0..1; `visible` is for whoever draws. */
+  set growing(part: number) {
+    this.geometry.setDrawRange(0, Math.round(TUFTS * part) * BLADES * 3);
   }
 
   /** Lays the grass where the lower part of the picture shows the ground: few blades, all of them seen. */

@@ -1,6 +1,5 @@
 import {
   CircleGeometry,
-  Color,
   Mesh,
   MeshBasicMaterial,
   PMREMGenerator,
@@ -42,7 +41,7 @@ export class SkyLight {
     this.#look = look;
     const scene = new Scene();
     const parent = this.#sky.parent;
-    this.#ground.material.color.copy(new Color(look.groundLight)).multiplyScalar(0.5);
+    this.#ground.material.color.setRGB(...look.groundLight).multiplyScalar(0.5);
     scene.add(this.#sky, this.#ground);
     this.#map?.dispose();
     this.#map = this.#generator.fromScene(scene, 0, 0.01, 10);

@@ -1,57 +1,159 @@
-/** Colours and light of the stage in one theme. Sky colours are sRGB as they appear on screen; lights go through tone mapping. */
+import type { StageId } from '../core/link/document.ts';
+import { along, linearOf, mixRgb, type Rgb, rgb, screenOf, sunAt, sunTint, tintAlong } from '../core/look/sky-model.ts';
+import { placeInSky } from './sky-place.ts';
+import {
+  CLEAR,
+  GRASS_NIGHT,
+  GROUND_LIGHT,
+  MOON_PLACE,
+  MOON_RISES,
+  MOON_STRENGTH,
+  MOON_TINT,
+  OVERCAST,
+  OVERCAST_NIGHT,
+  ownHour,
+  SKY_LIGHT,
+  SKY_STRENGTH,
+  STAGE_TABLE,
+  STARS,
+  type StageTable,
+  SUN_STRENGTH,
+} from './stage-table.ts';
+import { studioLook } from './studio-look.ts';
+
+/** Colours and light of a stage at an hour. */
 export interface StageLook {
-  readonly horizon: string;
-  readonly middle: string;
-  readonly zenith: string;
-  /** Haze around the sun, added. */
-  readonly haze: string;
-  readonly cloud: string;
+  /** Sky as the screen shows it (sRGB, 0..1): no tone mapping follows. */
+  readonly horizon: Rgb;
+  readonly middle: Rgb;
+  readonly zenith: Rgb;
+  /** Around the sun, added; and the disc of sun or moon. */
+  readonly glow: Rgb;
+  readonly disc: Rgb;
+  readonly cloud: Rgb;
   readonly cloudCover: number;
-  readonly sun: string;
+  readonly stars: number;
+  /** Skylines, the farthest first: colour in clear air, and how much of it the air between leaves. */
+  readonly hills: readonly (readonly [tint: Rgb, density: number])[];
+  readonly skyline: readonly [number, number, number, number];
+  /** What the ground fades into, likewise: fields at the foot of the skylines. */
+  readonly field: readonly [tint: Rgb, density: number];
+  /** From the scene to what gives light, unit length, y up; and where the glow is, which a moon leaves where the sun went down. */
+  readonly direction: Rgb;
+  readonly discDirection: Rgb;
+  readonly glowDirection: Rgb;
+  /** Light, linear; it goes through tone mapping. */
+  readonly sun: Rgb;
   readonly sunIntensity: number;
-  readonly skyLight: string;
-  readonly groundLight: string;
+  /** How much wider than under a clear sky the rim of a shadow is. */
+  readonly softness: number;
+  readonly skyLight: Rgb;
+  readonly groundLight: Rgb;
   readonly skyIntensity: number;
-  readonly grassLight: string;
-  readonly grassDark: string;
-  readonly earth: string;
   readonly exposure: number;
+  /** sRGB. */
+  readonly grassLight: Rgb;
+  readonly grassDark: Rgb;
+  readonly earth: Rgb;
+  readonly blades: number;
+  readonly flowers: number;
+  readonly ground: StageTable['ground'];
 }
 
-/** Late morning with a warm sun, in the colours of the page's paper; and the same meadow at dusk on the dark ground. */
-export const STAGE_LOOKS: Readonly<Record<'light' | 'dark', StageLook>> = {
-  light: {
-    horizon: '#eef1ea',
-    middle: '#cfe0ea',
-    zenith: '#8fb6d8',
-    haze: '#5a4a2a',
-    cloud: '#fbfaf6',
-    cloudCover: 0.75,
-    sun: '#fff0d6',
-    sunIntensity: 3.8,
-    skyLight: '#cfe4ff',
-    groundLight: '#97ad84',
-    skyIntensity: 2.15,
-    grassLight: '#8c9c52',
-    grassDark: '#41592f',
-    earth: '#8a7458',
+/** Screen colour of what reflects `light`: near what tone mapping makes of it. */
+const screenOfLight = (light: Rgb): Rgb => screenOf(light.map((c) => 1 - Math.exp(-1.15 * c)) as unknown as Rgb);
+
+const scaled = ([r, g, b]: Rgb, s: number): Rgb => [r * s, g * s, b * s];
+const times = (a: Rgb, b: Rgb): Rgb => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
+const plus = (a: Rgb, b: Rgb): Rgb => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+const luma = ([r, g, b]: Rgb): number => 0.3 * r + 0.59 * g + 0.11 * b;
+
+/** Forest in the distance. */
+const FOREST = rgb('#44583a');
+
+/**
+ * The look of a stage at an hour of the day by the sun, 0..24, or at its own (null), of which the dark theme has another.
+ * It follows the hour without a jump.
+ */
+export function lookAt(stage: StageId, hour: number | null, dark: boolean): StageLook {
+  if (stage === 'studio') return studioLook(hour, dark);
+  const table = STAGE_TABLE[stage];
+  const sun = sunAt(hour ?? ownHour(stage, dark));
+  const { elevation } = sun;
+  const { overcast, mist } = table;
+  const open = 1 - 0.94 * overcast;
+
+  const day = luma(tintAlong(CLEAR.horizon, elevation)) / luma(rgb(OVERCAST.horizon));
+  const dim = Math.min(1, day);
+  const shade = mixRgb(rgb(OVERCAST_NIGHT), [1, 1, 1], dim);
+  const greyed = (grey: string): Rgb => times(scaled(rgb(grey), dim), shade);
+  const under = (clear: Rgb, grey: string): Rgb => mixRgb(clear, greyed(grey), 0.94 * overcast);
+  const zenith = under(tintAlong(CLEAR.zenith, elevation), OVERCAST.zenith);
+  const middle = under(tintAlong(CLEAR.middle, elevation), OVERCAST.middle);
+  const horizon = under(tintAlong(CLEAR.horizon, elevation), OVERCAST.horizon);
+  const clearCloud = mixRgb(
+    tintAlong(CLEAR.horizon, elevation),
+    [1, 1, 1],
+    0.5 * Math.max(0, Math.min(1, elevation / 12)),
+  );
+
+  const moon = elevation < MOON_RISES;
+  const glowDirection = placeInSky(Math.max(-2, elevation), sun.azimuth - table.heading);
+  const direction = moon ? placeInSky(...MOON_PLACE) : placeInSky(Math.max(1, elevation), sun.azimuth - table.heading);
+  const light = moon ? linearOf(rgb(MOON_TINT)) : mixRgb(sunTint(elevation), [1, 0.97, 0.94], 0.7 * overcast);
+  const strength = (moon ? along(MOON_STRENGTH, elevation) : along(SUN_STRENGTH, elevation)) * (1 - 0.86 * overcast);
+  const skyLight = linearOf(mixRgb(tintAlong(SKY_LIGHT, elevation), times([0.93, 0.95, 0.97], shade), 0.8 * overcast));
+  const skyIntensity = along(SKY_STRENGTH, elevation) * (1 + 0.52 * overcast);
+
+  // What lies far away is lit as the ground is: sun by its height, and the whole sky.
+  const falls = plus(
+    scaled(light, strength * (0.25 + 0.75 * Math.max(0, direction[1]))),
+    scaled(skyLight, skyIntensity),
+  );
+  const seen = (albedo: Rgb): Rgb => screenOfLight(scaled(times(linearOf(albedo), falls), 1 / Math.PI / 0.6));
+  const shown = (albedo: string): Rgb => times(rgb(albedo), mixRgb(rgb(GRASS_NIGHT), [1, 1, 1], dim));
+  const grassLight = shown(table.grassLight);
+  const grassDark = shown(table.grassDark);
+  const forest = seen(FOREST);
+  const grass = seen(mixRgb(grassLight, grassDark, 0.45));
+  return {
+    horizon,
+    middle,
+    zenith,
+    glow: scaled(tintAlong(CLEAR.glow, elevation), (0.55 + mist) * open),
+    disc: moon
+      ? scaled([0.5, 0.53, 0.56], (open * along(MOON_STRENGTH, elevation)) / 2.4)
+      : scaled([1, 0.9, 0.7], open),
+    cloud: mixRgb(clearCloud, greyed(OVERCAST.cloud), overcast),
+    cloudCover: table.clouds,
+    stars: along(STARS, elevation) * open,
+    hills: [
+      [forest, 0.3 - 0.14 * mist],
+      [forest, 0.5 - 0.2 * mist],
+      [forest, 0.72 - 0.24 * mist],
+      [forest, 0.9 - 0.24 * mist],
+    ],
+    skyline: table.skyline,
+    field: [grass, 0.86 - 0.26 * mist],
+    direction,
+    discDirection: moon ? direction : glowDirection,
+    glowDirection,
+    sun: light,
+    sunIntensity: strength,
+    softness: 1 + 5 * overcast,
+    skyLight,
+    groundLight: linearOf(mixRgb(tintAlong(GROUND_LIGHT, elevation), times(rgb('#8d9684'), shade), overcast)),
+    skyIntensity,
     exposure: 1,
-  },
-  dark: {
-    horizon: '#27353d',
-    middle: '#1b262e',
-    zenith: '#10151a',
-    haze: '#3a2c1c',
-    cloud: '#33424d',
-    cloudCover: 0.5,
-    sun: '#ffd9a8',
-    sunIntensity: 3.4,
-    skyLight: '#8fb2d8',
-    groundLight: '#3c4232',
-    skyIntensity: 1.7,
-    grassLight: '#5d6d44',
-    grassDark: '#33452c',
-    earth: '#544838',
-    exposure: 1.2,
-  },
-};
+    grassLight,
+    grassDark,
+    earth: shown(table.earth),
+    blades: table.blades,
+    flowers: table.flowers,
+    ground: table.ground,
+  };
+}
+
+/** A colour of the screen as CSS writes it. */
+export const css = (colour: Rgb): string =>
+  `rgb(${colour.map((c) => Math.round(255 * Math.min(1, Math.max(0, c)))).join(' ')})`;

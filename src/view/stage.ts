@@ -18,7 +18,8 @@ import { Ground } from './ground.ts';
 import { Meadow } from './meadow.ts';
 import { Sky } from './sky.ts';
 import { SkyLight } from './sky-light.ts';
-import { STAGE_LOOKS } from './stage-look.ts';
+import { CAMERA_AZIMUTH } from './sky-place.ts';
+import { lookAt } from './stage-look.ts';
 import { Sun } from './sun.ts';
 
 /** Pixels of the picture that something else covers: the tree is framed in what is left. */
@@ -57,8 +58,11 @@ const NO_INSETS: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
 /** Vertical field of view in degrees, the feel of a 50 mm lens. */
 export const FOV = 30;
 
-/** A quarter to the side of the sun, so that crowns have a lit and a shaded side. */
-export const AZIMUTH = 0.2;
+/** To the side of the sun, so that crowns have a lit and a shaded side. */
+export const AZIMUTH = CAMERA_AZIMUTH;
+
+/** Part of the grass that grows, where nobody says. */
+const GRASS = 0.36;
 
 /** How far the camera goes away, in reaches of the tree. */
 const FARTHEST = 9;
@@ -78,8 +82,8 @@ export class Stage {
   readonly sky = new Sky();
   /** The wind over the meadow: `blow` fills it. */
   readonly field = new ForceField();
-  readonly ground = new Ground(this.field);
-  readonly meadow = new Meadow(this.ground, this.field);
+  readonly ground = new Ground(this.field, this.sky.uniforms);
+  readonly meadow = new Meadow(this.ground, this.field, this.sky.uniforms);
   readonly #box = new Box3(new Vector3(-2, 0, -2), new Vector3(2, 6, 2));
   #skyLight: SkyLight | null = null;
   #reach = 6;
@@ -87,6 +91,11 @@ export class Stage {
   #width = 1;
   #height = 1;
   #settling = 0;
+  #dark = false;
+  #place: { readonly stage: StageId; readonly hour: number | null } = { stage: 'meadow', hour: null };
+  #softness = 1;
+  #grass = GRASS;
+  #grows = true;
 
   /** Draws on `canvas`. Throws where the browser gives no WebGL2 context. */
   constructor(
@@ -143,22 +152,54 @@ export class Stage {
   }
 
   setDark(dark: boolean): void {
-    const look = STAGE_LOOKS[dark ? 'dark' : 'light'];
-    this.sky.setLook(look, this.sun.direction);
-    this.ground.setLook(look);
-    this.sun.color.set(look.sun);
-    this.sun.intensity = look.sunIntensity;
-    this.hemisphere.color.set(look.skyLight);
-    this.hemisphere.groundColor.set(look.groundLight);
-    this.hemisphere.intensity = look.skyIntensity;
-    this.renderer.toneMappingExposure = look.exposure;
-    this.hemisphere.visible = !this.#skyLight;
-    this.#skyLight?.refresh(look);
+    this.#dark = dark;
+    this.#relight();
+  }
+
+  get place(): { readonly stage: StageId; readonly hour: number | null } {
+    return this.#place;
   }
 
   /** Where the tree stands; `hour` of the day by the sun, 0..24, null: the stage's own. */
-  setScene(_stage: StageId, _hour: number | null): void {
-    // To be built.
+  setScene(stage: StageId, hour: number | null): void {
+    this.#place = { stage, hour };
+    this.#relight();
+  }
+
+  /** How finely light and grass are drawn: texels a side of the shadow map, part of the grass that grows (0..1). */
+  setFineness({ shadows, grass }: { readonly shadows: number; readonly grass: number }): void {
+    this.#grass = grass;
+    this.#applyGrass();
+    if (!this.sun.castShadow) return;
+    this.sun.mapSize = shadows;
+    this.ground.setShadow(this.sun, this.#softness);
+    this.renderer.shadowMap.needsUpdate = true;
+  }
+
+  #applyGrass(): void {
+    this.meadow.growing = this.#grows ? this.#grass : 0;
+  }
+
+  #relight(): void {
+    const look = lookAt(this.#place.stage, this.#place.hour, this.#dark);
+    const { sun, hemisphere } = this;
+    this.sky.setLook(look);
+    this.ground.setLook(look);
+    sun.color.setRGB(...look.sun);
+    sun.intensity = look.sunIntensity;
+    sun.shadow.radius = 1.6 * look.softness;
+    sun.shineFrom(...look.direction);
+    this.#softness = look.softness;
+    this.ground.setShadow(sun, look.softness);
+    hemisphere.color.setRGB(...look.skyLight);
+    hemisphere.groundColor.setRGB(...look.groundLight);
+    hemisphere.intensity = look.skyIntensity;
+    this.#grows = look.blades > 0;
+    this.#applyGrass();
+    this.renderer.toneMappingExposure = look.exposure;
+    hemisphere.visible = !this.#skyLight;
+    this.#skyLight?.refresh(look);
+    this.renderer.shadowMap.needsUpdate = true;
   }
 
   /** Fits ground, sun and shadow to what stands on the stage: a box in metres, y up. The camera stays. */
@@ -169,6 +210,7 @@ export class Stage {
     this.#reach = Math.max(size.y, crown, 2);
     this.ground.fit(this.#reach, foot, crown);
     this.sun.fit(box);
+    this.ground.setShadow(this.sun, this.#softness);
     const reach = Math.max(size.y, crown * 2, 2);
     this.controls.minDistance = 0.02 * reach;
     this.controls.maxDistance = FARTHEST * reach;

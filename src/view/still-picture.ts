@@ -1,10 +1,13 @@
 import { Color, type PerspectiveCamera, Vector3, Vector4 } from 'three';
+import { coverCount, organCount } from '../core/look/leaf-count.ts';
+import { leafRamp, leafTurn } from '../core/look/leaf-look.ts';
+import { hashPcg, hashUnit } from '../core/math/hash.ts';
 import { BRANCH_LAYERS, TEXEL } from '../core/pack/layout.ts';
 import { leafTexel } from '../core/pack/leaf-texel.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
 import { leafGrowth } from './detail.ts';
-import { STAGE_LOOKS } from './stage-look.ts';
+import { css, lookAt } from './stage-look.ts';
 
 /** What a still picture shows, and from where. */
 export interface StillOptions {
@@ -96,21 +99,21 @@ class View {
 }
 
 function backdrop(context: CanvasRenderingContext2D, view: View, dark: boolean): void {
-  const look = STAGE_LOOKS[dark ? 'dark' : 'light'];
+  const look = lookAt('meadow', null, dark);
   const { width, height } = view;
   const foot = view.project(new Vector3(0, 0, 0));
   const horizon = view.project(new Vector3(0, 0, -1e4));
   const level = Math.min(height, Math.max(0, horizon?.y ?? height * 0.7));
   const sky = context.createLinearGradient(0, 0, 0, level || 1);
-  sky.addColorStop(0, look.zenith);
-  sky.addColorStop(0.45, look.middle);
-  sky.addColorStop(1, look.horizon);
+  sky.addColorStop(0, css(look.zenith));
+  sky.addColorStop(0.45, css(look.middle));
+  sky.addColorStop(1, css(look.horizon));
   context.fillStyle = sky;
   context.fillRect(0, 0, width, height);
   const ground = context.createLinearGradient(0, level, 0, height);
-  ground.addColorStop(0, look.horizon);
-  ground.addColorStop(0.25, look.grassLight);
-  ground.addColorStop(1, look.grassDark);
+  ground.addColorStop(0, css(look.horizon));
+  ground.addColorStop(0.25, css(look.grassLight));
+  ground.addColorStop(1, css(look.grassDark));
   context.fillStyle = ground;
   context.fillRect(0, level, width, height - level);
   if (!foot) return;
@@ -183,23 +186,31 @@ function foliage(
   context: CanvasRenderingContext2D,
   view: View,
   tree: PackedTree,
-  { foliage: look, leaves }: Species,
+  { foliage: look, leaves, organ }: Species,
   dark: boolean,
   strokes: Stroke[],
 ): void {
-  const count = Math.min(tree.leafCount, MOST_LEAVES);
-  if (count === 0) return;
-  const [growX, growY] = leafGrowth(count / tree.leafCount, leaves.scaleX);
-  const colours = ramp(new Color(look.colour).lerp(new Color(look.glow), 0.2), dark ? 0.15 : 0.35, dark ? 0.7 : 1.25);
+  const there = coverCount(tree.leafCount, look);
+  const borne = organCount(tree.leafCount, organ);
+  const [count, organs] = [Math.min(there, MOST_LEAVES), Math.min(borne, MOST_LEAVES)];
+  const [growX, growY] = leafGrowth(count / Math.max(there, 1), leaves.scaleX);
+  const shades = (colour: Color): string[] => ramp(colour, dark ? 0.15 : 0.35, dark ? 0.7 : 1.25);
+  // How far a leaf has turned, in quarters.
+  const turned = [0, 0.25, 0.5, 0.75, 1].map((t) =>
+    shades(new Color(...leafRamp(look, t)).lerp(new Color(look.glow), 0.2 * (1 - t))),
+  );
+  const blossom = shades(new Color(organ.colour));
   const centre = new Vector3(tree.crown[0], tree.crown[2], -tree.crown[1]);
   const radii = new Vector3(tree.crown[3], tree.crown[5], tree.crown[4]);
   const p = new Vector3();
   const leafLength = tree.leafLength * look.size;
-  for (let i = 0; i < count; i++) {
+  for (let n = 0; n < count + organs; n++) {
+    const leaf = n < count;
+    const i = leaf ? n : n - count;
     const { piece, v, phase } = leafTexel(tree.leaves.data, i);
     const turn = phase * Math.PI * 2;
     // The blade hangs beside the twig; which way does not matter for a dab.
-    const reach = leafLength * (leaves.petiole + 0.5);
+    const reach = leaf ? leafLength * (leaves.petiole + 0.5) : organ.size;
     view.onPiece(piece, v, p);
     p.x += reach * Math.cos(turn * 5);
     p.y += reach * 0.5 * Math.sin(turn * 11);
@@ -209,9 +220,12 @@ function foliage(
     p.sub(centre).divide(radii);
     // Brighter towards the sun and outwards, darker deep inside and below.
     const light = 0.32 * p.x + 0.3 * p.y + 0.45 * Math.min(1, p.length()) + 0.3 * (phase - 0.5);
+    const own = hashUnit(hashPcg(Math.floor(phase * 65535 + 0.5)));
+    const colours = leaf ? turned[Math.round(4 * leafTurn(look, own))]! : blossom;
     const colour = colours[Math.min(7, Math.max(0, Math.round(-0.4 + 6.5 * light)))];
-    const long = Math.max(0.6, leafLength * growY * seen.scale * 0.5);
-    const wide = Math.max(0.5, leafLength * growX * leaves.scaleX * seen.scale * 0.42);
+    const [length, width] = leaf ? [leafLength * growY, leafLength * growX * leaves.scaleX] : [organ.size, organ.size];
+    const long = Math.max(0.6, length * seen.scale * 0.5);
+    const wide = Math.max(0.5, width * seen.scale * 0.42);
     strokes.push({
       depth: seen.depth,
       paint: () => {

@@ -8,6 +8,8 @@ export interface LevelExtent {
   readonly box: Box3;
   /** Radius in metres that four of five stems of the level stay below. */
   readonly radius: number;
+  /** How many radii long its pieces are. */
+  readonly slenderness: number;
 }
 
 /** Stems that are looked at to judge a level's radius; the draw order is spread evenly, so its start is a fair sample. */
@@ -19,20 +21,27 @@ export function levelExtents(tree: PackedTree): LevelExtent[] {
   const plane = restPose.width * restPose.height * TEXEL;
   const span = BRANCH_LAYERS.SPAN * branches.width * branches.height * TEXEL;
   const point = new Vector3();
+  const before = new Vector3();
   return levels.map(({ start, count }) => {
     const box = new Box3();
     const radii: number[] = [];
+    let length = 0;
     for (let i = start; i < start + count; i++) {
       const t = span + i * TEXEL;
       const piece = branches.data[t] as number;
       const radius = branches.data[t + 3] as number;
       if (radii.length < SAMPLE) radii.push(radius);
       // The control polygon holds the curve.
-      for (let k = 0; k < 4; k++) box.expandByPoint(point.fromArray(restPose.data, k * plane + piece * TEXEL));
+      for (let k = 0; k < 4; k++) {
+        box.expandByPoint(point.fromArray(restPose.data, k * plane + piece * TEXEL));
+        length += k > 0 ? point.distanceTo(before) : 0;
+        before.copy(point);
+      }
     }
     radii.sort((a, b) => a - b);
     const radius = radii[Math.floor(radii.length * 0.8)] ?? 0;
-    return { box: box.expandByScalar((radii[radii.length - 1] ?? 0) * 2), radius };
+    const slenderness = length / Math.max(1, count) / Math.max(radius, 1e-6);
+    return { box: box.expandByScalar((radii[radii.length - 1] ?? 0) * 2), radius, slenderness };
   });
 }
 

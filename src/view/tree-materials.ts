@@ -2,6 +2,7 @@ import {
   DoubleSide,
   FrontSide,
   type IUniform,
+  type Mesh,
   MeshDepthMaterial,
   MeshDistanceMaterial,
   MeshStandardMaterial,
@@ -35,7 +36,7 @@ export function branchMaterials(defines: readonly string[], uniforms: Record<str
   return { standard, depth, distance };
 }
 
-/** Materials for leaves. `defines`: LEAF_VEINS. */
+/** Materials for leaves and organs. `defines`: LEAF_VEINS, LEAF_ORGAN. */
 export function leafMaterials(defines: readonly string[], uniforms: Record<string, IUniform>): MaterialSet {
   const key = `windgrove leaf ${defines.join(' ')}`;
   const standard = new MeshStandardMaterial({ metalness: 0, side: DoubleSide });
@@ -46,6 +47,13 @@ export function leafMaterials(defines: readonly string[], uniforms: Record<strin
     inject(material, key, material === standard ? LEAF_STANDARD : LEAF_DEPTH, uniforms);
   }
   return { standard, depth, distance };
+}
+
+/** Draws a mesh, and its shadow, with a set. */
+export function dress(mesh: Mesh, set: MaterialSet): void {
+  mesh.material = set.standard;
+  mesh.customDepthMaterial = set.depth;
+  mesh.customDistanceMaterial = set.distance;
 }
 
 /** Frees the programs of a set. */

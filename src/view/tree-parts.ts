@@ -10,30 +10,22 @@ import {
   type Vector3,
   type Vector4,
 } from 'three';
-import { GRAINS_PER_TILE } from '../core/look/bark-image.ts';
-import { type LeafGrain, leafTriangles } from '../core/look/leaf-mesh.ts';
 import { COLLAR, levelShape } from '../core/mesh/level-shape.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
-import { barkTexture } from './bark-texture.ts';
-import { branchGeometry, bundleFor, leafGeometry, recount } from './branch-geometry.ts';
+import { barkDefines, deepLod, deepShare, disposeBarkLook, type StemForm, setBarkLook } from './bark-look.ts';
+import { branchGeometry, bundleFor, recount } from './branch-geometry.ts';
 import { CHANNELS, channelUniforms } from './channel-texels.ts';
 import { controlLines, setControlLines } from './control-lines.ts';
-import { type Detail, gridDetail, leafGrain, leafGrowth, leavesDrawn } from './detail.ts';
+import { type Detail, gridDetail } from './detail.ts';
 import { sectorsForLobes } from './grid.ts';
 import { levelColour } from './level-colours.ts';
 import type { ChannelView } from './picture/picture.ts';
 import { pixelsPerMetre } from './pixel-size.ts';
 import { type LevelExtent, levelExtents, windBox } from './tree-extent.ts';
-import { branchMaterials, disposeMaterials, leafMaterials, type MaterialSet } from './tree-materials.ts';
-import {
-  barkUniforms,
-  type LeafUniforms,
-  type LevelUniforms,
-  leafUniforms,
-  levelUniforms,
-  sharedUniforms,
-} from './uniforms.ts';
+import { TreeLeaves } from './tree-leaves.ts';
+import { branchMaterials, disposeMaterials, dress, type MaterialSet } from './tree-materials.ts';
+import { barkUniforms, type LevelUniforms, levelUniforms, sharedUniforms } from './uniforms.ts';
 
 /** How a tree is drawn: its surface, its triangles, what the GPU moves, or its stems coloured by level. */
 export type Mode = 'shaded' | 'wireframe' | 'control' | 'levels';
@@ -48,14 +40,14 @@ export interface Shown {
   leafBudget: number;
 }
 
-type TreeMesh = Mesh<InstancedBufferGeometry>;
+/** A mesh whose vertices the shader makes. */
+export type TreeMesh = Mesh<InstancedBufferGeometry>;
 
 interface Level {
   readonly mesh: TreeMesh;
   readonly uniforms: LevelUniforms;
   /** By their form; made when they are first needed. */
-  tube: MaterialSet | null;
-  ribbon: MaterialSet | null;
+  sets: Partial<Record<StemForm, MaterialSet>>;
   extent: LevelExtent;
   start: number;
   count: number;
@@ -64,10 +56,11 @@ interface Level {
 }
 
 /** The parts of the deformer's programs that a level needs; each that is left out saves work at every vertex. */
-function definesOf(level: number, species: Species, paper: boolean): string[] {
+function definesOf(level: number, species: Species, paper: boolean, form: StemForm = 'tube'): string[] {
   const { taper, lobeDepth, bulgeDepth } = levelShape(species, level);
   const plain = level > 0 && bulgeDepth === 0 && lobeDepth === 0 && taper <= 1;
-  return [level === 0 ? 'FLARED' : '', plain ? 'PLAIN_STEM' : '', paper ? 'PAPER_FORMS' : ''].filter(Boolean);
+  const shape = [level === 0 ? 'FLARED' : '', plain ? 'PLAIN_STEM' : '', paper ? 'PAPER_FORMS' : ''].filter(Boolean);
+  return [...shape, ...barkDefines(level, species, form), ...(form === 'ribbon' ? ['RIBBON'] : [])];
 }
 
 /**
@@ -80,18 +73,13 @@ export class TreeParts extends Object3D {
   readonly autoUpdate = true;
   readonly shared = sharedUniforms();
   readonly bark = barkUniforms();
-  readonly leafLook: LeafUniforms = leafUniforms();
   readonly shown: Shown;
   readonly channelLook = channelUniforms();
+  readonly leaves = new TreeLeaves(this);
   #channel: ChannelView | null = null;
   /** Height of the picture in pixels, for the choice of detail. */
   pictureHeight = 1080;
   #levels: Level[] = [];
-  #leafMesh: TreeMesh | null = null;
-  #leafMaterials: Partial<Record<'near' | 'far', MaterialSet>> = {};
-  /** Leaves of the geometry that the leaf mesh has, 0 for none, and how finely it draws each. */
-  #leafDrawn = 0;
-  #leafGrain: LeafGrain = 'far';
   #lines: LineSegments<InstancedBufferGeometry, ShaderMaterial> | null = null;
   #tree: PackedTree | null = null;
   #species: Species | null = null;
@@ -122,7 +110,7 @@ export class TreeParts extends Object3D {
       this.#setShape(level, i, species);
     });
     this.#setLook(tree, species);
-    this.#leafDrawn = 0;
+    this.leaves.setTree(tree, species);
     this.#applyMode();
   }
 
@@ -136,22 +124,19 @@ export class TreeParts extends Object3D {
       level.mesh.visible = surfaces && i < shown.levels && level.count > 0;
       if (level.mesh.visible) this.#fitLevel(level, i, camera);
     });
-    const leaves = shown.leaves && surfaces && shown.mode !== 'levels' && tree.leafCount > 0 && shown.leafBudget > 0;
-    if (leaves) this.#fitLeaves(tree, this.#species, camera);
-    if (this.#leafMesh) this.#leafMesh.visible = leaves;
+    this.leaves.fit(camera, this.#box);
     this.#fitLines(tree);
   }
 
   /** Triangles, draw calls, pieces and leaves of the frame that was drawn last, shadows left out. */
   stats(): { triangles: number; drawCalls: number; pieces: number; leaves: number } {
     const drawn = this.#levels.filter(({ mesh }) => mesh.visible);
-    const leaves = this.#leafMesh?.visible ? this.#leafMesh : null;
-    const meshes = [...drawn.map(({ mesh }) => mesh), ...(leaves ? [leaves] : [])];
+    const meshes = [...drawn.map(({ mesh }) => mesh), ...this.leaves.meshes().filter(({ visible }) => visible)];
     return {
       triangles: meshes.reduce((sum, { geometry }) => sum + Number(geometry.userData.triangles ?? 0), 0),
       drawCalls: meshes.length + (this.#lines?.visible ? 1 : 0),
       pieces: drawn.reduce((sum, { count }) => sum + count, 0),
-      leaves: leaves ? this.leafLook.leafRange.value.x : 0,
+      leaves: this.leaves.count,
     };
   }
 
@@ -165,9 +150,7 @@ export class TreeParts extends Object3D {
   /** Their programs are others: what is drawn next makes them anew. */
   #dropAllMaterials(): void {
     for (const level of this.#levels) this.#dropMaterials(level);
-    for (const set of Object.values(this.#leafMaterials)) disposeMaterials(set);
-    this.#leafMaterials = {};
-    this.#leafDrawn = 0;
+    this.leaves.dropMaterials();
   }
 
   setShadows(cast: boolean, receive: boolean): void {
@@ -195,33 +178,28 @@ export class TreeParts extends Object3D {
   /** Frees everything; a tree that is set afterwards makes anew what it needs. */
   override dispose(): void {
     while (this.#levels.length > 0) this.#dropLevel();
-    this.#leafMesh?.geometry.dispose();
-    for (const set of Object.values(this.#leafMaterials)) disposeMaterials(set);
+    this.leaves.dispose();
     this.#lines?.geometry.dispose();
     this.#lines?.material.dispose();
-    this.bark.barkMap.value?.dispose();
-    this.bark.barkMap.value = null;
+    disposeBarkLook(this.bark);
     this.channelLook.channelTexels.value?.dispose();
     this.channelLook.channelTexels.value = null;
-    this.#leafMesh = null;
-    this.#leafMaterials = {};
     this.#lines = null;
     this.clear();
   }
 
   #meshes(): TreeMesh[] {
-    return [...this.#levels.map(({ mesh }) => mesh), ...(this.#leafMesh ? [this.#leafMesh] : [])];
+    return [...this.#levels.map(({ mesh }) => mesh), ...this.leaves.meshes()];
   }
 
   #addLevel(index: number): Level {
     const uniforms = levelUniforms();
-    const mesh = this.#newMesh(`level ${index}`);
+    const mesh = this.newMesh(`level ${index}`);
     const level: Level = {
       mesh,
       uniforms,
-      tube: null,
-      ribbon: null,
-      extent: { box: mesh.userData.box, radius: 0 },
+      sets: {},
+      extent: { box: mesh.userData.box, radius: 0, slenderness: 0 },
       start: 0,
       count: 0,
       drawn: 0,
@@ -230,7 +208,8 @@ export class TreeParts extends Object3D {
     return level;
   }
 
-  #newMesh(name: string): TreeMesh {
+  /** A mesh of this tree, without a geometry. */
+  newMesh(name: string): TreeMesh {
     const mesh: TreeMesh = new Mesh();
     mesh.name = name;
     mesh.castShadow = this.#shadows.cast;
@@ -250,8 +229,8 @@ export class TreeParts extends Object3D {
   }
 
   #dropMaterials(level: Level): void {
-    for (const set of [level.tube, level.ribbon]) if (set) disposeMaterials(set);
-    Object.assign(level, { tube: null, ribbon: null, drawn: 0 });
+    for (const set of Object.values(level.sets)) disposeMaterials(set);
+    Object.assign(level, { sets: {}, drawn: 0 });
   }
 
   #setShape({ uniforms }: Level, index: number, species: Species): void {
@@ -261,44 +240,34 @@ export class TreeParts extends Object3D {
     b.set(lobeFade, bulges, bulgeDepth, COLLAR);
   }
 
-  #setLook(tree: PackedTree, { bark, foliage, wind }: Species): void {
-    const { shared, leafLook } = this;
+  #setLook(tree: PackedTree, { bark }: Species): void {
+    const { shared } = this;
     shared.crownCentre.value.fromArray(tree.crown, 0);
     shared.crownRadii.value.fromArray(tree.crown, 3);
     const [low, size] = this.channelLook.channelBox.value as [Vector3, Vector3];
     low.fromArray(tree.bounds, 0);
     size.fromArray(tree.bounds, 3).sub(low);
-    const map = this.bark.barkMap;
-    if (map.value?.name !== `bark ${bark.kind}`) {
-      map.value?.dispose();
-      map.value = barkTexture(bark.kind);
+    setBarkLook(this.bark, bark);
+    for (const { sets } of this.#levels) {
+      for (const set of Object.values(sets)) set.standard.roughness = bark.roughness;
     }
-    this.bark.barkTile.value = bark.grain * GRAINS_PER_TILE[bark.kind];
-    this.bark.barkColour.value.set(bark.colour);
-    this.bark.barkDark.value.set(bark.dark);
-    this.bark.barkRelief.value = bark.relief;
-    for (const { tube, ribbon } of this.#levels) {
-      for (const set of [tube, ribbon]) if (set) set.standard.roughness = bark.roughness;
-    }
-    leafLook.leafColour.value.set(foliage.colour);
-    leafLook.leafUnder.value.set(foliage.under);
-    leafLook.leafGlow.value.set(foliage.glow);
-    leafLook.leafVariation.value = foliage.variation;
-    leafLook.leafFlutter.value.x = (wind.flutter * Math.PI) / 180;
-    for (const set of Object.values(this.#leafMaterials)) set.standard.roughness = foliage.roughness;
   }
 
   #fitLevel(level: Level, index: number, camera: Camera): void {
     const { extent, count, mesh, uniforms } = level;
-    const pixels = extent.radius * pixelsPerMetre(camera, this.matrixWorld, extent.box, this.pictureHeight);
-    const grid = gridDetail(index, pixels, count, this.shown.detail);
+    const scale = pixelsPerMetre(camera, this.matrixWorld, extent.box, this.pictureHeight);
+    const pixels = extent.radius * scale;
+    const { bark } = this.#species as Species;
+    const deep = deepShare(index, bark, pixels, scale);
+    const grid = gridDetail(index, pixels, count, this.shown.detail, deep > 0 ? extent.slenderness : 0);
     const [a] = uniforms.stemShape.value as [Vector4, Vector4];
     const sectors = sectorsForLobes(grid.sectors, a.z, a.w);
     // The rest of the spec is the tree's: `setTree` forgets what was drawn.
-    const drawn = sectors * 256 + grid.bands;
+    const drawn = (deep > 0 ? 65536 : 0) + sectors * 256 + grid.bands;
+    uniforms.barkDepth.value.set(deep * bark.depth, deepLod(bark, extent.radius, sectors));
     if (level.drawn === drawn) return;
     // Below 1 the taper leaves the tip open.
-    const spec = { sectors, bands: grid.bands, cap: a.x < 1, bundle: bundleFor(count) };
+    const spec = { sectors, bands: grid.bands, cap: a.x < 1, round: a.x > 1.2 && a.x <= 2, bundle: bundleFor(count) };
     const made = String(Object.values(spec));
     if (made === mesh.geometry.userData.made) {
       recount(mesh.geometry, count, spec.bundle, this.#box as Box3);
@@ -308,16 +277,15 @@ export class TreeParts extends Object3D {
       mesh.geometry.userData.made = made;
     }
     uniforms.branchRange.value.set(level.start, count, spec.bundle);
-    this.#dress(mesh, this.#branchSet(level, index, spec.sectors === 1 ? 'ribbon' : 'tube'));
+    dress(mesh, this.#branchSet(level, index, sectors === 1 ? 'ribbon' : deep > 0 ? 'deep' : 'tube'));
     level.drawn = drawn;
   }
 
-  #branchSet(level: Level, index: number, form: 'tube' | 'ribbon'): MaterialSet {
-    const made = level[form];
+  #branchSet(level: Level, index: number, form: StemForm): MaterialSet {
+    const made = level.sets[form];
     if (made) return made;
     const species = this.#species as Species;
-    const defines = [...definesOf(index, species, this.#paper), ...(form === 'ribbon' ? ['RIBBON'] : [])];
-    const set = branchMaterials([...defines, ...this.#viewDefines()], {
+    const set = branchMaterials([...definesOf(index, species, this.#paper, form), ...this.viewDefines()], {
       ...this.shared,
       ...this.bark,
       ...this.channelLook,
@@ -325,59 +293,13 @@ export class TreeParts extends Object3D {
     });
     set.standard.roughness = species.bark.roughness;
     set.standard.wireframe = this.shown.mode === 'wireframe';
-    level[form] = set;
+    level.sets[form] = set;
     return set;
   }
 
-  #fitLeaves(tree: PackedTree, species: Species, camera: Camera): void {
-    const { leaves, foliage } = species;
-    const { leafLook, shown } = this;
-    const length = tree.leafLength * foliage.size;
-    const scale = pixelsPerMetre(camera, this.matrixWorld, this.#box as Box3, this.pictureHeight);
-    const count = leavesDrawn(tree.leafCount, length * scale, Math.min(tree.leafCount, shown.leafBudget), shown.detail);
-    const [growX, growY] = leafGrowth(count / tree.leafCount, leaves.scaleX);
-    const pixels = length * growY * scale;
-    const { petiole, scaleX: width } = leaves;
-    const shape = foliage.outline ?? leaves.shape;
-    const grain = leafGrain(pixels, count, (g) => leafTriangles(shape, petiole, g), shown.detail);
-    if (this.#leafDrawn === count && this.#leafGrain === grain) return;
-    if (!this.#leafMesh) this.#leafMesh = this.#newMesh('leaves');
-    const mesh = this.#leafMesh;
-    const spec = { shape, width, petiole, grain };
-    const made = String([...Object.values(spec), bundleFor(count)]);
-    if (made === mesh.geometry.userData.made) recount(mesh.geometry, count, bundleFor(count), this.#box as Box3);
-    else {
-      mesh.geometry.dispose();
-      mesh.geometry = leafGeometry(spec, count, this.#box as Box3);
-      mesh.geometry.userData.made = made;
-    }
-    leafLook.leafRange.value.set(count, bundleFor(count));
-    leafLook.leafSize.value.set(growX * length, growY * length);
-    this.#dress(mesh, this.#leafSet(grain === 'near' ? 'near' : 'far', foliage.roughness));
-    this.#leafDrawn = count;
-    this.#leafGrain = grain;
-  }
-
-  #leafSet(kind: 'near' | 'far', roughness: number): MaterialSet {
-    let set = this.#leafMaterials[kind];
-    if (!set) {
-      const defines = [...(kind === 'near' ? ['LEAF_VEINS'] : []), ...this.#viewDefines()];
-      set = leafMaterials(defines, { ...this.shared, ...this.channelLook, ...this.leafLook });
-      set.standard.roughness = roughness;
-      set.standard.wireframe = this.shown.mode === 'wireframe';
-      this.#leafMaterials[kind] = set;
-    }
-    return set;
-  }
-
-  #viewDefines(): string[] {
+  /** Names that every material of the tree is compiled with. */
+  viewDefines(): string[] {
     return this.#channel ? ['CHANNEL_VIEW'] : [];
-  }
-
-  #dress(mesh: TreeMesh, set: MaterialSet): void {
-    mesh.material = set.standard;
-    mesh.customDepthMaterial = set.depth;
-    mesh.customDistanceMaterial = set.distance;
   }
 
   #fitLines(tree: PackedTree): void {
@@ -397,13 +319,13 @@ export class TreeParts extends Object3D {
 
   #applyMode(): void {
     const { mode } = this.shown;
-    this.#levels.forEach(({ tube, ribbon, uniforms }, i) => {
-      for (const set of [tube, ribbon]) if (set) set.standard.wireframe = mode === 'wireframe';
+    this.#levels.forEach(({ sets, uniforms }, i) => {
+      for (const set of Object.values(sets)) set.standard.wireframe = mode === 'wireframe';
       const tint = colourOf(i);
       // A channel stands in place of the tint; its surface is as plain.
       uniforms.levelTint.value.set(tint[0], tint[1], tint[2], mode === 'levels' || this.#channel ? 1 : 0);
     });
-    for (const set of Object.values(this.#leafMaterials)) set.standard.wireframe = mode === 'wireframe';
+    this.leaves.setWireframe(mode === 'wireframe');
   }
 }
 

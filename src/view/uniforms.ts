@@ -1,4 +1,13 @@
-import { Color, type DataArrayTexture, type DataTexture, type Texture, Vector2, Vector3, Vector4 } from 'three';
+import {
+  Color,
+  type Data3DTexture,
+  type DataArrayTexture,
+  type DataTexture,
+  type Texture,
+  Vector2,
+  Vector3,
+  Vector4,
+} from 'three';
 
 /** The uniforms that all materials of one tree share; the objects live as long as the WindTree, their values change. */
 export function sharedUniforms() {
@@ -12,6 +21,9 @@ export function sharedUniforms() {
     leafLog2Width: { value: 0 },
     crownCentre: { value: new Vector3() },
     crownRadii: { value: new Vector3(1, 1, 1) },
+    crownLight: { value: null as Data3DTexture | null },
+    crownLow: { value: new Vector3() },
+    crownSize: { value: new Vector3(1, 1, 1) },
   };
 }
 
@@ -19,10 +31,15 @@ export function sharedUniforms() {
 export function barkUniforms() {
   return {
     barkMap: { value: null as DataTexture | null },
-    barkTile: { value: 1 },
+    barkGrowth: { value: null as DataTexture | null },
+    barkTile: { value: new Vector4(1, 0, 0, 0) },
     barkColour: { value: new Color() },
     barkDark: { value: new Color() },
+    barkTwig: { value: new Color() },
+    barkYoung: { value: 0.035 },
     barkRelief: { value: 0 },
+    barkMoss: { value: new Vector4() },
+    barkLichen: { value: new Vector4() },
   };
 }
 
@@ -32,6 +49,7 @@ export function levelUniforms() {
     branchRange: { value: new Vector3() },
     stemShape: { value: [new Vector4(), new Vector4()] },
     levelTint: { value: new Vector4(0, 0, 0, 0) },
+    barkDepth: { value: new Vector2() },
   };
 }
 
@@ -46,11 +64,18 @@ export function leafUniforms() {
     leafColour: { value: new Color() },
     leafUnder: { value: new Color() },
     leafGlow: { value: new Color() },
+    leafSecond: { value: new Color() },
+    leafTurned: { value: 0 },
     leafVariation: { value: 0 },
+    leafThin: { value: 1 },
+    leafVeins: { value: new Vector2() },
+    leafLobes: { value: [new Vector2(), new Vector2(), new Vector2()] },
+    leafHang: { value: 0 },
     levelTint: { value: new Vector4(0, 0, 0, 0) },
   };
 }
 
 export type SharedUniforms = ReturnType<typeof sharedUniforms>;
+export type BarkUniforms = ReturnType<typeof barkUniforms>;
 export type LevelUniforms = ReturnType<typeof levelUniforms>;
 export type LeafUniforms = ReturnType<typeof leafUniforms>;

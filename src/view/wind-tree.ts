@@ -101,14 +101,13 @@ export class WindTree extends Object3D {
     const lane = this.#lane(which);
     const species = this.#species;
     if (!lane.textures || !species) return;
-    const { shared, leafLook } = this.#parts;
+    const { shared, leaves } = this.#parts;
     shared.poseEven.value = lane.textures.uniforms.poseEven.value;
     shared.poseOdd.value = lane.textures.uniforms.poseOdd.value;
     this.#parts.setPaper(lane.felt.wind.paper);
     // Every leaf beats a whole number of times in sixteen beats, so this may wrap (shaders/leaf/swing.glsl).
     const beats = (this.#time * species.wind.flutterRate) / 16;
-    leafLook.leafFlutter.value.y = beats - Math.floor(beats);
-    leafLook.leafWind.value.copy(lane.way);
+    leaves.setWind(beats - Math.floor(beats), lane.way);
   }
 
   /** The wind that the tree feels, as a pass takes it. */
@@ -198,11 +197,11 @@ export class WindTree extends Object3D {
 
   /** How far the normals of the leaves turn towards the outside of the crown, 0..1. */
   get crownRounding(): number {
-    return this.#parts.leafLook.crownRounding.value;
+    return this.#parts.leaves.look.crownRounding.value;
   }
 
   set crownRounding(amount: number) {
-    this.#parts.leafLook.crownRounding.value = amount;
+    this.#parts.leaves.look.crownRounding.value = amount;
   }
 
   /** Sets both for every part of the tree. */

@@ -26,6 +26,7 @@ export const fakeServices = (show: (document: LinkDocument) => void = () => {}):
 /** As on a first visit. */
 export const fakePreferences = (): Preferences => ({
   theme: 'auto',
+  quality: 'auto',
   folds: {},
   studioHeight: null,
   growWidth: null,

@@ -62,3 +62,22 @@ it('tells its listeners the time, until they have heard enough', () => {
   run(16);
   expect(heard).toEqual([2]);
 });
+
+it('lets time stand and draws nothing while nothing of the picture can be seen', () => {
+  let covered = true;
+  loop = new Loop(
+    clock,
+    draw,
+    () => moving,
+    () => covered,
+  );
+  clock.play();
+  loop.invalidate();
+  run(0);
+  expect([draw.mock.calls.length, loop.idle]).toEqual([0, true]);
+  covered = false;
+  loop.invalidate();
+  run(5000);
+  run(5100);
+  expect(draw.mock.calls).toEqual([[0], [0.1]]);
+});

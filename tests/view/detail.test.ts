@@ -27,6 +27,7 @@ describe('grid of a level', () => {
     expect(triangles(100, 'auto').sectors).toBe(24);
     expect(triangles(10_000, 'auto').triangles).toBeLessThanOrEqual(240_000);
     expect(triangles(1_000_000, 'auto').sectors).toBe(1);
+    expect(gridDetail(0, 50, 100_000, 'auto').sectors).toBe(1);
     expect(triangles(10_000, 'low').sectors).toBeLessThan(triangles(10_000, 'high').sectors);
   });
 });

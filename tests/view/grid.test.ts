@@ -28,6 +28,13 @@ const openEdges = (grid: ReturnType<typeof branchGrid>): string[] => {
 };
 
 describe('branch grid', () => {
+  it('crowds its rows towards a round end, so that a half sphere there is no cone', () => {
+    const rows = ({ position }: ReturnType<typeof branchGrid>) =>
+      [0, 1, 2, 3, 4].map((row) => position[row * 8 * 3 + 2]);
+    expect(rows(branchGrid(tube))).toEqual([0, 0.25, 0.5, 0.75, 1]);
+    expect(rows(branchGrid({ ...tube, round: true }))).toEqual([0, 0.4375, 0.75, 0.9375, 1]);
+  });
+
   it('closes its seam to the bit: the last column has the numbers of the first', () => {
     const { position, shape } = branchGrid(tube);
     for (let row = 0; row <= 4; row++) {

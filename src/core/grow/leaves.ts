@@ -90,14 +90,16 @@ export class LeafGrower {
     places.spread(stems, i, low, count, stream, DRAW.leafPlace, DRAW.leafJitter);
     if (!trunk && stems.clone[i] === 0) places.clear(stems.inside[i] / stems.length[i]);
     const begin = draw(stream, DRAW.leafSpiral);
+    const flat = this.species.leaves.flat ?? 0;
     let turned = begin * 2 * Math.PI;
     for (let k = 0; k < places.count; k++) {
       const z = places.z[k];
       const step = this.rotate + spread(stream, DRAW.leafRotate + k, this.rotateV);
+      const even = (k % 2 === 0) === begin < 0.5;
       if (this.rotate >= 0) turned += step;
-      else turned = (k % 2 === 0) === begin < 0.5 ? step : -step;
+      else turned = even ? step : -step;
       this.place(i, z);
-      turnZ(this.frame, turned);
+      turnZ(this.frame, flat > 0 ? towardsRow(turned, even ? 0 : Math.PI, flat) : turned);
       this.leaf(i, k, z, stream);
     }
   }
@@ -136,7 +138,16 @@ export class LeafGrower {
       down += spread(stream, DRAW.leafDown + k, this.downAngleV);
     }
     turnX(frame, down * RADIANS);
+    const flat = this.species.leaves.flat ?? 0;
+    // The blade lies on edge in its row: about its midrib it turns into the plane, with the upper face up.
+    if (flat > 0) turnZ(frame, (frame[2] >= 0 ? -flat : flat) * (Math.PI / 2));
     leafBend(frame, this.x, this.y, this.species.leaves.bend);
     this.leaves.add(i, z, frame, draw(stream, DRAW.leafPhase + k));
   }
+}
+
+/** The angle around a stem, in radians, that is the part `flat` of the way from `turned` to a row. */
+function towardsRow(turned: number, row: number, flat: number): number {
+  const away = turned - row;
+  return row + (1 - flat) * (away - 2 * Math.PI * Math.floor(away / (2 * Math.PI) + 0.5));
 }

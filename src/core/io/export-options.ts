@@ -1,6 +1,7 @@
 import { allowedValues, foundText, isAllowed } from '../file/allowed.ts';
 import type { Fault } from '../file/fault.ts';
 import { type ChoiceParameter, type FlagParameter, type NumberParameter, number } from '../file/parameter.ts';
+import { SEASONS, type Season } from '../species/season.ts';
 
 /** What a tree can be written as. */
 export const EXPORT_FORMATS = ['glb', 'obj', 'swc', 'species', 'channels'] as const;
@@ -23,6 +24,7 @@ export interface ExportOptions {
   readonly levels: number;
   readonly leaves: 'none' | 'instances' | 'expanded';
   readonly mostLeaves: number;
+  readonly season: Season;
   readonly lods: 'none' | 'named' | 'MSFT_lod';
   readonly textures: 'none' | '128' | '256' | '512';
   readonly clip: boolean;
@@ -112,6 +114,7 @@ export const EXPORT_PARAMETERS: readonly ExportParameter[] = [
     [100, 600_000, 100],
     { integer: true, default: 40_000 },
   ),
+  choice('season', MESHES, 'Season', 'How leaves, blossom and fruit look.', SEASONS, 'summer'),
   choice(
     'lods',
     GLB,

@@ -1,4 +1,5 @@
 import { type GrownPacked, growPacked } from '../pack/grow-packed.ts';
+import { inSeason } from '../species/season.ts';
 import type { Species } from '../species/species.ts';
 import type { Wind } from '../wind/wind.ts';
 import type { ExportFile, ExportFormat, ExportOptions } from './export-options.ts';
@@ -61,17 +62,19 @@ export async function exportTree(
     most = Math.min(1, Math.max(most, done));
     report(stage, most);
   };
-  let grown = known.grown;
+  const dressed = options.format === 'species' ? species : inSeason(species, options.season);
+  let grown = known.grown && inLook(known.grown, dressed);
   const grow = (): GrownPacked => {
     forwards('grow', 0);
     const parts = { grow: 0, fit: 0.7, pack: 0.9 } as const;
-    return growPacked(species, seed, {
+    const tree = growPacked(species, seed, {
       onProgress: (stage, done) =>
         forwards('grow', GROWING * Math.min(1, parts[stage] + (stage === 'grow' ? 0.7 : 0.1) * done)),
     });
+    return inLook(tree, dressed);
   };
   const files = await write({
-    species,
+    species: dressed,
     seed,
     wind,
     options,
@@ -86,6 +89,12 @@ export async function exportTree(
   forwards('write', 1);
   return files;
 }
+
+/** The same tree as it looks in a season. */
+const inLook = (grown: GrownPacked, species: Species): GrownPacked => ({
+  ...grown,
+  tree: { ...grown.tree, species },
+});
 
 /** A bare file name for a tree: letters, digits and dashes. */
 export function fileName(name: string, seed: number): string {

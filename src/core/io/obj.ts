@@ -1,6 +1,8 @@
 import { encode } from 'fast-png';
-import { barkMaps, twigColour } from '../look/bark-maps.ts';
+import { twigColour } from '../look/bark-colour.ts';
+import { barkMaps } from '../look/bark-maps.ts';
 import { toSrgb } from '../look/colour.ts';
+import { leafRamp } from '../look/leaf-look.ts';
 import { expandLeaves } from '../mesh/expand-leaves.ts';
 import type { LeafPlacements } from '../mesh/leaf-placements.ts';
 import { meshTree, type TreeMesh } from '../mesh/tree-mesh.ts';
@@ -61,8 +63,8 @@ const rgb = (colour: string): string =>
 /** The exponent of Phong's highlight that is about as wide as a roughness of 0..1 makes it. */
 const shininess = (roughness: number): string => short(Math.max(1, 2 / Math.max(roughness, 0.05) ** 2 - 2), 1);
 
-/** The materials: `bark`, `twigs` (without images) and `leaves`. Colours are sRGB. */
-export function writeMtl({ bark, foliage }: Species, { colour, normal }: ObjMaterials = {}): string {
+/** The materials: `bark`, `twigs` (without images), `leaves` and, where there are any, `organs`. Colours are sRGB. */
+export function writeMtl({ bark, foliage, organ }: Species, { colour, normal }: ObjMaterials = {}): string {
   const plain = (name: string, kd: string, roughness: number): string[] => [
     `newmtl ${name}`,
     `Kd ${kd}`,
@@ -74,6 +76,9 @@ export function writeMtl({ bark, foliage }: Species, { colour, normal }: ObjMate
   const twig = twigColour(bark)
     .map((part) => short(toSrgb(part), UNIT))
     .join(' ');
+  // One material for all leaves: as far turned as they are on the average.
+  const turned = leafRamp(foliage, foliage.second ? foliage.secondShare : 0);
+  const leaves = turned.map((part) => short(toSrgb(part), UNIT)).join(' ');
   return [
     '# Windgrove; Pr is the roughness that some programs read',
     ...plain('bark', colour ? '1 1 1' : rgb(bark.colour), bark.roughness),
@@ -82,8 +87,9 @@ export function writeMtl({ bark, foliage }: Species, { colour, normal }: ObjMate
     '',
     ...plain('twigs', twig, bark.roughness),
     '',
-    ...plain('leaves', rgb(foliage.colour), foliage.roughness),
+    ...plain('leaves', leaves, foliage.roughness),
     '',
+    ...(organ.kind === 'none' ? [] : [...plain('organs', rgb(organ.colour), 0.6), '']),
   ].join('\n');
 }
 
@@ -117,25 +123,36 @@ export function writeObj(mesh: TreeMesh, materials: string, head: readonly strin
       }
     }
   }
-  if (mesh.leaves) writeLeaves(out, mesh.leaves, mesh.vertexCount);
+  const before: Written = { vertices: mesh.vertexCount, places: mesh.vertexCount };
+  if (mesh.leaves) writeLeaves(out, 'leaves', mesh.leaves, before);
+  if (mesh.organs) writeLeaves(out, 'organs', mesh.organs, before);
   return out.bytes();
 }
 
 const cornerOf = (i: number): string => `${i}/${i}/${i}`;
 
-/** The leaves, after `before` vertices; all share the texture places of the one leaf. */
-function writeLeaves(out: Lines, leaves: LeafPlacements, before: number): void {
+/** Vertices and texture places that are written already. */
+interface Written {
+  vertices: number;
+  places: number;
+}
+
+/** Leaves or organs, which all share the texture places of the one of which they are copies. */
+function writeLeaves(out: Lines, name: 'leaves' | 'organs', leaves: LeafPlacements, written: Written): void {
   const { vertexCount, position, normal, index } = expandLeaves(leaves);
   const each = leaves.leaf.position.length / 3;
   for (let i = 0; i < vertexCount; i++) out.add(`v ${upright(position, i, METRES)}`);
   for (let k = 0; k < each; k++)
     out.add(`vt ${short(leaves.leaf.uv[2 * k]!, UNIT)} ${short(leaves.leaf.uv[2 * k + 1]!, UNIT)}`);
   for (let i = 0; i < vertexCount; i++) out.add(`vn ${upright(normal, i, UNIT)}`);
-  out.add('g leaves');
-  out.add('usemtl leaves');
-  const corner = (i: number): string => `${before + i + 1}/${before + (i % each) + 1}/${before + i + 1}`;
+  out.add(`g ${name}`);
+  out.add(`usemtl ${name}`);
+  const { vertices, places } = written;
+  const corner = (i: number): string => `${vertices + i + 1}/${places + (i % each) + 1}/${vertices + i + 1}`;
   for (let t = 0; t < index.length; t += 3)
     out.add(`f ${corner(index[t]!)} ${corner(index[t + 1]!)} ${corner(index[t + 2]!)}`);
+  written.vertices += vertexCount;
+  written.places += each;
 }
 
 /** Colour and relief of the bark, as images that tile. */

@@ -1,15 +1,15 @@
 import { allowedValues } from '../file/allowed.ts';
 import type { Parameter } from '../file/parameter.ts';
 import { mayBe, type ParameterValue, PLACES, type SpeciesEdits } from '../species/edits.ts';
-import { NONE } from './encode-edits.ts';
+import { absentText } from './encode-edits.ts';
 import type { LinkReader } from './reader.ts';
 
 const number = (text: string): number => (/^-?\d{1,15}(\.\d{1,15})?$/.test(text) ? Number(text) : Number.NaN);
 
 /** What `editText` wrote; what it may be is the table's affair. */
-function textValue({ kind }: Parameter, text: string): ParameterValue {
-  if (text === NONE) return null;
-  switch (kind) {
+function textValue(parameter: Parameter, text: string): ParameterValue {
+  if (text === absentText(parameter)) return null;
+  switch (parameter.kind) {
     case 'number':
       return number(text);
     case 'numbers':
@@ -25,14 +25,14 @@ function textValue({ kind }: Parameter, text: string): ParameterValue {
 
 /** What may stand behind a key, in the words of a link. */
 function allowedText(path: string, p: Parameter): string {
-  const orNone = mayBe(path, null) ? `, or ${NONE}` : '';
+  const orNone = mayBe(path, null) ? `, or ${absentText(p)}` : '';
   switch (p.kind) {
     case 'flag':
       return '0 or 1';
     case 'colour':
       return `a colour as rrggbb${orNone}`;
     case 'choice':
-      return p.choices.join(', ');
+      return p.choices.join(', ') + orNone;
     default:
       return allowedValues(p).replace(', or null', '') + orNone;
   }

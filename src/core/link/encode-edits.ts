@@ -1,8 +1,15 @@
+import type { Parameter } from '../file/parameter.ts';
 import { type ParameterValue, PLACES, type SpeciesEdits } from '../species/edits.ts';
 import { roundValue } from '../species/round-value.ts';
 
 /** `null` in a link. */
-export const NONE = 'none';
+const NONE = 'none';
+/** The same where `none` is one of the choices: what is not said is not the same as that there is none. */
+const UNSAID = '-';
+
+/** How a link says that a parameter is absent. */
+export const absentText = (parameter: Parameter): string =>
+  parameter.kind === 'choice' && parameter.choices.includes(NONE) ? UNSAID : NONE;
 
 /** The edits as a link gives them back: rounded, in the order of the table; paths of no parameter are left out. */
 export function roundEdits(edits: SpeciesEdits): SpeciesEdits {
@@ -15,8 +22,8 @@ export function roundEdits(edits: SpeciesEdits): SpeciesEdits {
 }
 
 /** An edit as the value of a link's key: `45`, `abc123` for a colour, `2,0.8,1`, `0` or `1`, `none`. */
-export function editText(value: ParameterValue): string {
-  if (value === null) return NONE;
+export function editText(path: string, value: ParameterValue): string {
+  if (value === null) return absentText(PLACES.get(path)!.parameter);
   if (typeof value === 'boolean') return value ? '1' : '0';
   return typeof value === 'string' ? value.replace(/^#/, '') : String(value);
 }

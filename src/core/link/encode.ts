@@ -76,7 +76,7 @@ function linkOf(d: LinkDocument, own: 'own' | 'file'): string {
   if (d.ownSpecies === null) put('s', d.species);
   else put(own, own === 'own' ? textToBase64(d.ownSpecies) : d.ownSpecies.replace(/\p{Surrogate}/gu, '\ufffd'));
   put('seed', d.seed);
-  for (const [path, value] of Object.entries(d.edits)) put(path, editText(value));
+  for (const [path, value] of Object.entries(d.edits)) put(path, editText(path, value));
   if (d.treeName !== null) put('called', d.treeName);
   put('t', roundTo(LINK_NUMBERS.t, d.time));
   if (d.paused) put('paused', 1);

@@ -1,4 +1,4 @@
-import { GRAINS_PER_TILE } from '../look/bark-image.ts';
+import { barkWrap } from '../look/bark-wrap.ts';
 import type { GrownPacked } from '../pack/grow-packed.ts';
 import { planeOf, poseOf } from '../wind/pose-plainly.ts';
 import { levelShape } from './level-shape.ts';
@@ -81,8 +81,7 @@ export function meshBark(grown: GrownPacked, options: BarkMeshOptions): BarkMesh
     vertices += count * (sectors + 1) + sectors;
     triangles += (count - 1) * sectors * 2 + sectors;
   }
-  const tile = species.bark.grain * GRAINS_PER_TILE[species.bark.kind];
-  const writer = new StemWriter(vertices, triangles, table, tile);
+  const writer = new StemWriter(vertices, triangles, table, barkWrap(species.bark));
   const pose = options.pose ?? packed.restPose.data;
   const plane = planeOf(packed.restPose);
   const marks: number[] = [];

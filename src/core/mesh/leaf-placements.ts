@@ -1,5 +1,7 @@
+import { coverCount } from '../look/leaf-count.ts';
 import { leafGrowth } from '../look/leaf-growth.ts';
-import { type LeafGrain, leafMesh } from '../look/leaf-mesh.ts';
+import { type LeafGrain, type LeafSpec, leafMesh } from '../look/leaf-mesh.ts';
+import { leafSpecOf } from '../look/leaf-shapes.ts';
 import { bezierPoint, type Cubic } from '../math/bezier.ts';
 import { type Handles, handlesOf, sectionFrame } from '../math/frames.ts';
 import { hashPcg, hashUnit } from '../math/hash.ts';
@@ -37,21 +39,33 @@ export interface LeafPlacementOptions {
   readonly grain: LeafGrain;
   /** Leaves at most; those that stay are larger, so that they cover as much. Any number is spread evenly over the tree. */
   readonly most: number;
+  /** Part of the leaves that is kept, likewise; 1 by default. */
+  readonly share?: number;
   /** Leaves on stems of deeper levels are left out. */
   readonly levels: number;
   readonly pose?: Float32Array;
 }
 
 /** The leaves of a grown tree as they are drawn, or null where none is left. */
-export function placeLeaves(
-  { packed, tree, pieces }: GrownPacked,
-  options: LeafPlacementOptions,
-): LeafPlacements | null {
+export function placeLeaves(grown: GrownPacked, options: LeafPlacementOptions): LeafPlacements | null {
+  const { packed, tree } = grown;
   const { leaves, foliage } = tree.species;
-  const drawn = Math.min(packed.leafCount, Math.max(0, Math.floor(options.most)));
+  const there = coverCount(packed.leafCount, foliage);
+  const drawn = Math.min(Math.ceil((options.share ?? 1) * there), Math.max(0, Math.floor(options.most)));
   if (drawn === 0) return null;
-  const [growX, growY] = leafGrowth(drawn / packed.leafCount, leaves.scaleX);
+  const [growX, growY] = leafGrowth(drawn / there, leaves.scaleX);
   const length = packed.leafLength * foliage.size;
+  const placed = placeFirst(grown, drawn, options);
+  const size = [growX * length, growY * length] as const;
+  return placed && { leaf: outlineMesh(leafSpecOf(tree.species), options.grain, size), ...placed };
+}
+
+/** The first `drawn` places of the leaves' draw order, less those on stems that are left out; null where none is left. */
+export function placeFirst(
+  { packed, pieces }: GrownPacked,
+  drawn: number,
+  options: Pick<LeafPlacementOptions, 'levels' | 'pose'>,
+): Omit<LeafPlacements, 'leaf'> | null {
   const pose = options.pose ?? packed.restPose.data;
   const plane = planeOf(packed.restPose);
   const position = new Float32Array(3 * drawn);
@@ -87,10 +101,6 @@ export function placeLeaves(
   }
   if (count === 0) return null;
   return {
-    leaf: outlineMesh(foliage.outline ?? leaves.shape, leaves.scaleX, leaves.petiole, options.grain, [
-      growX * length,
-      growY * length,
-    ]),
     count,
     position: position.slice(0, 3 * count),
     quaternion: quaternion.slice(0, 4 * count),
@@ -102,14 +112,8 @@ export function placeLeaves(
 }
 
 /** The unit leaf in metres; the stalk hides within the midrib of the image. */
-function outlineMesh(
-  shape: number,
-  width: number,
-  petiole: number,
-  grain: LeafGrain,
-  [across, along]: readonly [number, number],
-): LeafOutlineMesh {
-  const { position, normal, blade, index } = leafMesh(shape, width, petiole, grain, 1);
+function outlineMesh(spec: LeafSpec, grain: LeafGrain, [across, along]: readonly [number, number]): LeafOutlineMesh {
+  const { position, normal, blade, index } = leafMesh(spec, grain, 1);
   const vertices = position.length / 3;
   const uv = new Float32Array(2 * vertices);
   const scaled = new Float32Array(position.length);

@@ -1,5 +1,6 @@
 import { collar } from '../deform/collar.ts';
 import { type Shape, stemRadius } from '../deform/radius.ts';
+import { type BarkWrap, type WrappedStem, wrapPoint } from '../look/bark-wrap.ts';
 import { bezierDerivative, bezierPoint, bezierSecondDerivative, type Cubic } from '../math/bezier.ts';
 import { type Handles, handlesOf, sectionFrame } from '../math/frames.ts';
 import { cosTurns, sinTurns } from '../math/trig.ts';
@@ -31,7 +32,8 @@ export class StemWriter {
   readonly #level: Uint8Array;
   readonly #index: Uint32Array;
   readonly #table: PieceTable;
-  readonly #barkTile: number;
+  readonly #wrap: BarkWrap;
+  #bark: WrappedStem | null = null;
   #shape: Shape | null = null;
   #stemLevel = 0;
   #sectors = 3;
@@ -45,8 +47,7 @@ export class StemWriter {
   #before = -1;
   #lastU = 0;
 
-  /** `barkTile`: side of a tile in metres. */
-  constructor(vertices: number, triangles: number, table: PieceTable, barkTile: number) {
+  constructor(vertices: number, triangles: number, table: PieceTable, wrap: BarkWrap) {
     this.#position = new Float32Array(3 * vertices);
     this.#normal = new Float32Array(3 * vertices);
     this.#tangent = new Float32Array(4 * vertices);
@@ -57,7 +58,7 @@ export class StemWriter {
     this.#level = new Uint8Array(vertices);
     this.#index = new Uint32Array(3 * triangles);
     this.#table = table;
-    this.#barkTile = barkTile;
+    this.#wrap = wrap;
   }
 
   /** Begins a stem. */
@@ -78,6 +79,14 @@ export class StemWriter {
   /** Goes on to a piece of the stem, as it stands. */
   enter(piece: number, { curve, o }: Pose): void {
     this.#at = piece;
+    const { baseRadius, length, phase } = this.#table;
+    this.#bark = {
+      shape: this.#shape as Shape,
+      level: this.#stemLevel,
+      baseRadius: baseRadius[piece]!,
+      length: length[piece]!,
+      phase: phase[piece]!,
+    };
     this.#curve = curve;
     this.#handles = handlesOf(curve, o);
   }
@@ -212,13 +221,9 @@ export class StemWriter {
     this.#tangent[4 * i + 1] = ay * a;
     this.#tangent[4 * i + 2] = az * a;
     this.#tangent[4 * i + 3] = 1;
-    const table = this.#table;
-    const around = 2 * Math.PI * table.baseRadius[this.#at]!;
-    const repeats = Math.max(1, Math.floor(around / this.#barkTile + 0.5));
-    const tile = Math.max(around / repeats, 0.12 * this.#barkTile);
-    const phase = table.phase[this.#at]!;
-    this.#uv[2 * i] = turns * repeats + phase;
-    this.#uv[2 * i + 1] = along / tile + 7 * phase;
+    const [across, up] = wrapPoint(this.#wrap, this.#bark as WrappedStem, turns, z);
+    this.#uv[2 * i] = across;
+    this.#uv[2 * i + 1] = up;
     this.#piece[i] = this.#at;
     this.#u[i] = u;
     this.#v[i] = z;

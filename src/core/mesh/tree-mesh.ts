@@ -2,11 +2,14 @@ import type { GrownPacked } from '../pack/grow-packed.ts';
 import { type BarkMesh, meshBark } from './bark-mesh.ts';
 import { type LeafPlacements, placeLeaves } from './leaf-placements.ts';
 import { GRADES, type MeshGrade } from './mesh-detail.ts';
+import { placeOrgans } from './organ-placements.ts';
 
 /** A tree as triangles: its stems as one mesh, its leaves as one leaf and its places. Metres, tree space (z up). */
 export interface TreeMesh extends BarkMesh {
   /** Null where the tree has no leaves, or none were asked for. `expandLeaves` makes triangles of them. */
   readonly leaves: LeafPlacements | null;
+  /** What twigs bear besides, likewise. */
+  readonly organs: LeafPlacements | null;
 }
 
 export interface TreeMeshOptions {
@@ -33,13 +36,13 @@ export interface TreeMeshOptions {
 export function meshTree(grown: GrownPacked, options: TreeMeshOptions): TreeMesh {
   const rule = GRADES[options.detail];
   const { levels = Number.POSITIVE_INFINITY, pose, leastBands = 1, bentLevels = 0 } = options;
-  const most = Math.min(
-    options.mostLeaves ?? Number.POSITIVE_INFINITY,
-    Math.ceil(rule.leaves * grown.packed.leafCount),
-  );
+  const most = options.mostLeaves ?? Number.POSITIVE_INFINITY;
   const shared = { levels, ...(pose ? { pose } : {}) };
+  const placing = { grain: rule.leaf, most, share: rule.leaves, ...shared };
+  const wanted = options.leaves !== false;
   return {
     ...meshBark(grown, { grade: options.detail, leastBands, bentLevels, ...shared }),
-    leaves: options.leaves === false ? null : placeLeaves(grown, { grain: rule.leaf, most, ...shared }),
+    leaves: wanted ? placeLeaves(grown, placing) : null,
+    organs: wanted ? placeOrgans(grown, placing) : null,
   };
 }

@@ -1,3 +1,4 @@
+import { BRANCH_LAYERS, TEXEL } from './layout.ts';
 import type { PackedTree } from './packed.ts';
 
 const PRIME = 16777619;
@@ -9,11 +10,16 @@ function words(hash: number, array: Float32Array | Uint32Array): number {
   return hash;
 }
 
+/** Layers of the branches that are told; JOINT only says again what the pieces' ORIENT does, and came after the first trees were numbered. */
+const TOLD = BRANCH_LAYERS.JOINT;
+
 /** One number for all that the GPU gets of a tree: equal in Node and in every browser for the same species and seed. */
 export function hashPacked(packed: PackedTree): string {
   let hash = words(2166136261 | 0, Uint32Array.of(packed.pieceCount, packed.leafCount));
   hash = words(hash, packed.depthStart);
-  for (const array of [packed.pieces, packed.restPose, packed.branches, packed.leaves] as const) {
+  const { branches } = packed;
+  const told = branches.data.subarray(0, TOLD * branches.width * branches.height * TEXEL);
+  for (const array of [packed.pieces, packed.restPose, { ...branches, layers: TOLD, data: told }, packed.leaves]) {
     hash = words(hash, Uint32Array.of(array.width, array.height, array.layers));
     hash = words(hash, array.data);
   }

@@ -25,6 +25,8 @@ export const BRANCH_LAYERS = {
   SPAN: 0,
   /** length of the stem in metres | phase of the bark in turns | depth of the piece | radius of the parent where it starts */
   STEM: 1,
+  /** axis of the parent in the piece's base frame: along L | T | S, all 0 but in the first piece of a branch | 0 */
+  JOINT: 2,
 } as const;
 
 /**

@@ -106,7 +106,8 @@ function packBranches(tree: Tree, pieces: Pieces, levels: readonly DrawRange[]):
   const out = texelArray(pieces.count, Object.keys(BRANCH_LAYERS).length);
   const span = layerStart(out, BRANCH_LAYERS.SPAN);
   const shape = layerStart(out, BRANCH_LAYERS.STEM);
-  const { length, baseRadius } = tree.stems;
+  const joint = layerStart(out, BRANCH_LAYERS.JOINT);
+  const { length, baseRadius, parent } = tree.stems;
   const { phase, radius } = stemStarts(tree);
   const filled = levels.map(() => 0);
   // The pieces of each level in the order of the pieces: neighbours there are neighbours on the tree.
@@ -126,6 +127,13 @@ function packBranches(tree: Tree, pieces: Pieces, levels: readonly DrawRange[]):
       out.data[shape + t + 1] = phase[stem];
       out.data[shape + t + 2] = pieces.depth[piece];
       out.data[shape + t + 3] = radius[stem];
+      if (parent[stem] >= 0 && pieces.firstOfStem[stem] === piece) {
+        // The parent's frame has its axis first: what the inverse of the base frame's rotation makes of that.
+        const [x, y, z, w] = pieces.orientation.subarray(4 * piece, 4 * piece + 4);
+        out.data[joint + t] = 1 - 2 * (y * y + z * z);
+        out.data[joint + t + 1] = 2 * (x * y - w * z);
+        out.data[joint + t + 2] = 2 * (x * z + w * y);
+      }
     }
   });
   return out;

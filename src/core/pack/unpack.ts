@@ -82,11 +82,14 @@ export interface UnpackedBranch {
   phase: number;
   depth: number;
   parentRadius: number;
+  /** Along L, T and S of the piece. */
+  parentAxis: readonly [number, number, number];
 }
 
 /** One branch by its place in the draw order. */
 export function unpackBranch({ branches }: PackedTree, place: number): UnpackedBranch {
   const [piece, z0, z1, baseRadius] = texel(branches, BRANCH_LAYERS.SPAN, place);
   const [length, phase, depth, parentRadius] = texel(branches, BRANCH_LAYERS.STEM, place);
-  return { piece, z0, z1, baseRadius, length, phase, depth, parentRadius };
+  const [along, t, s] = texel(branches, BRANCH_LAYERS.JOINT, place);
+  return { piece, z0, z1, baseRadius, length, phase, depth, parentRadius, parentAxis: [along, t, s] };
 }

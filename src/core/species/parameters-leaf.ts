@@ -70,6 +70,14 @@ export const LEAF_PARAMETERS: readonly NumberParameter[] = [
   ),
   number(
     'leaves',
+    'flat',
+    'Flat spray',
+    'How far leaves lie in two rows in the plane of their twig and its parent: 0 not at all, 1 fully.',
+    [0, 1, 0.01],
+    { optional: true, default: undefined },
+  ),
+  number(
+    'leaves',
     'quality',
     'Leaf quality',
     'Factor on the number of leaves; they become smaller so that they cover as much.',

@@ -113,6 +113,11 @@ export interface LeafParameters {
   /** Length of the petiole as a fraction of the blade's. */
   readonly petiole: number;
   readonly bend: number;
+  /**
+   * How far leaves stand in two rows and lie in the plane of their stem and its parent, 0..1, as on fronds and sprays; absent: 0.
+   * The plane is that of the stem's y and z, which is the spray's where rows of stems stand on alternate sides (row 15).
+   */
+  readonly flat?: number;
   readonly quality: number;
   /** Angles of the leaves alone, in degrees; each one that is absent is that of level `levels`, at most 3 (row 42). */
   readonly downAngle?: number;

@@ -45,6 +45,7 @@ export const WIDTHS: Readonly<Record<string, Width>> = {
   'leaves.scaleX': { part: 0.06 },
   'leaves.petiole': { part: 0.15 },
   'leaves.bend': { part: 0.15 },
+  'leaves.flat': { part: 0.15 },
   'leaves.downAngle': { by: 'downAngleV', part: 0.1 },
   'leaves.rotate': { by: 'rotateV', part: 0.03 },
   'pruning.width': { part: 0.1 },

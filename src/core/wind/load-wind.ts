@@ -1,26 +1,16 @@
-import type { Fault } from '../file/fault.ts';
-import { parseAnemometer } from './anemometer.ts';
 import { parseWind } from './parse-wind.ts';
-import type { Wind } from './wind.ts';
+import type { LoadedWind } from './wind-with-record.ts';
 
-export type LoadedWind =
-  | { readonly wind: Wind; readonly recordFile: string | null; readonly faults?: undefined }
-  | { readonly wind?: undefined; readonly recordFile?: undefined; readonly faults: readonly Fault[] };
-
-/** The wind of a file with the record of the CSV file that it names; faults of the CSV have its name before their path. */
-export function parseWindWithRecord(file: unknown, recordText: (recordFile: string) => string): LoadedWind {
-  const parsed = parseWind(file);
-  if (!parsed.wind || parsed.recordFile === null) return parsed;
-  const { wind, recordFile } = parsed;
-  const { record, faults } = parseAnemometer(recordText(recordFile), { name: wind.name });
-  if (record) return { wind: { ...wind, record }, recordFile };
-  return { faults: faults.map((fault) => ({ ...fault, path: `${recordFile}${fault.path && `, ${fault.path}`}` })) };
-}
-
-/** A wind from the text of its file, and from that of the CSV file beside it where it names one; `fetchText` is asked for that alone. */
+/**
+ * A wind from the text of its file, and from that of the CSV file beside it where it names one; `fetchText` is asked for that alone. What
+ * reads such a file is loaded with the first.
+ */
 export async function loadWind(text: string, fetchText: (recordFile: string) => Promise<string>): Promise<LoadedWind> {
   const parsed = parseWind(text);
   if (!parsed.wind || parsed.recordFile === null) return parsed;
-  const csv = await fetchText(parsed.recordFile);
+  const [csv, { parseWindWithRecord }] = await Promise.all([
+    fetchText(parsed.recordFile),
+    import('./wind-with-record.ts'),
+  ]);
   return parseWindWithRecord(text, () => csv);
 }

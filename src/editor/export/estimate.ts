@@ -1,5 +1,7 @@
 import type { ExportOptions } from '../../core/io/export-options.ts';
+import { coverCount } from '../../core/look/leaf-count.ts';
 import { leafMesh } from '../../core/look/leaf-mesh.ts';
+import { leafSpecOf } from '../../core/look/leaf-shapes.ts';
 import type { BarkMeshOptions } from '../../core/mesh/bark-mesh.ts';
 import { GRADES, gradesFrom, type MeshGrade } from '../../core/mesh/mesh-detail.ts';
 import type { MeshCount } from '../../view/picture/export-in-worker.ts';
@@ -64,9 +66,8 @@ function leafLoad(
   const none = options.leaves === 'none' || options.levels < figures.levels || figures.leaves === 0;
   if (none) return { count: 0, triangles: 0, vertices: 0 };
   const rule = GRADES[grade];
-  const { shape, scaleX, petiole } = species.leaves;
-  const leaf = leafMesh(species.foliage.outline ?? shape, scaleX, petiole, rule.leaf, 1);
-  const count = Math.min(options.mostLeaves, Math.ceil(rule.leaves * figures.leaves));
+  const leaf = leafMesh(leafSpecOf(species), rule.leaf, 1);
+  const count = Math.min(options.mostLeaves, Math.ceil(rule.leaves * coverCount(figures.leaves, species.foliage)));
   return { count, triangles: count * leaf.trianglesPerCopy, vertices: count * leaf.verticesPerCopy };
 }
 

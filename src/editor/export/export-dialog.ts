@@ -193,7 +193,9 @@ class Export extends Part {
     }
     const subject = this.subject();
     if (this.run || !subject) return;
-    const choices = isFormat(chosen) ? { ...this.choices, link: editor.actions.linkNow() } : this.choices;
+    const choices = isFormat(chosen)
+      ? { ...this.choices, season: this.doc.season, link: editor.actions.linkNow() }
+      : this.choices;
     void this.go(chosen, subject, choices);
   };
 

@@ -32,10 +32,12 @@ export type Row = ExportParameter | PictureParameter;
 export function rowsOf(kind: Kind, choices: Readonly<Record<string, unknown>>): readonly Row[] {
   if (isPicture(kind)) return PICTURE_PARAMETERS.filter((row) => row.kinds.includes(kind));
   if (!isFormat(kind)) return [];
+  // The season is that of the picture.
   const clipped = new Set(['boneLevels', 'start', 'seconds', 'rate']);
   const noLeaves = choices.leaves === 'none';
   return exportParametersOf(kind).filter(
-    ({ key }) => (choices.clip === true || !clipped.has(key)) && !(noLeaves && key === 'mostLeaves'),
+    ({ key }) =>
+      key !== 'season' && (choices.clip === true || !clipped.has(key)) && !(noLeaves && key === 'mostLeaves'),
   );
 }
 

@@ -14,6 +14,10 @@ import { growWidth, panelEdge } from './panel-edge.ts';
 /** The whole interface over the picture: panels at the sides, or one sheet where the window is narrow. */
 class App extends Part {
   private readonly onResize = (): void => this.requestUpdate();
+  private photo = false;
+  private photoLoaded = false;
+  /** What had the focus before photo mode. */
+  private from: HTMLElement | null = null;
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -35,7 +39,31 @@ class App extends Part {
       ${this.session.narrow ? html`<wg-sheet .editor=${editor}></wg-sheet>` : this.wide()}
       ${this.messages()}${this.hint()}
       ${this.session.panels ? html`<wg-stem .editor=${editor}></wg-stem>` : nothing}
+      ${this.session.photo && this.photoLoaded ? html`<wg-photo .editor=${editor}></wg-photo>` : nothing}
       <wg-dialogs .editor=${editor}></wg-dialogs>`;
+  }
+
+  protected override willUpdate(): void {
+    const { photo } = this.session;
+    if (photo === this.photo) return;
+    this.photo = photo;
+    document.documentElement.classList.toggle('photo', photo);
+    if (photo) void this.openPhoto();
+    else if (this.from?.isConnected) this.from.focus();
+  }
+
+  private async openPhoto(): Promise<void> {
+    this.from = document.activeElement instanceof HTMLElement ? document.activeElement : null;
+    try {
+      await import('../photo/photo-mode.ts');
+      this.photoLoaded = true;
+      this.requestUpdate();
+    } catch (error) {
+      this.editor.actions.setPhoto(false);
+      this.editor.actions.notify('error', frameWords.photoFailed, [
+        error instanceof Error ? error.message : String(error),
+      ]);
+    }
   }
 
   protected override updated(): void {

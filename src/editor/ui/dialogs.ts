@@ -1,7 +1,6 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from 'lit';
 import type { Dialog } from '../session.ts';
 import { dialogWords } from '../words/dialogs.ts';
-import { tourWords } from '../words/tour.ts';
 import { icon } from './icons.ts';
 import { Part } from './panel.ts';
 
@@ -10,6 +9,7 @@ export type Framed = Exclude<Dialog, 'tour'>;
 
 /** The element that fills a dialog, and how it is loaded: who never opens it never waits for it. */
 const contents: Record<Framed, { readonly tag: string; readonly load: () => Promise<unknown> }> = {
+  gallery: { tag: 'wg-gallery', load: () => import('../gallery/gallery.ts') },
   help: { tag: 'wg-help', load: () => import('./help.ts') },
   palette: { tag: 'wg-palette', load: () => import('./palette.ts') },
   history: { tag: 'wg-history', load: () => import('./history.ts') },
@@ -116,7 +116,9 @@ class Dialogs extends Part {
       await (await import('../tour.ts')).startTour(this.editor);
     } catch (error) {
       this.editor.actions.closeDialog();
-      this.editor.actions.notify('error', tourWords.failed, [error instanceof Error ? error.message : String(error)]);
+      this.editor.actions.notify('error', dialogWords.tourFailed, [
+        error instanceof Error ? error.message : String(error),
+      ]);
     }
   }
 

@@ -1,6 +1,8 @@
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import { ALL_LEVELS } from '../../core/link/link.ts';
 import { LINK_NUMBERS } from '../../core/link/numbers.ts';
+import { thumbnailUrl } from '../species-picture.ts';
 import { growWords } from '../words/grow.ts';
 import { treeWords } from '../words/tree.ts';
 import { choice, toggle } from './choice.ts';
@@ -18,24 +20,24 @@ class GrowPanel extends Part {
   private species(): TemplateResult {
     const { doc, session, editor } = this;
     const own = doc.ownSpecies === null ? null : (session.tree?.species.name ?? growWords.ownSpecies);
-    const options = [
-      ...session.species.map((s) => ({
-        value: s.id,
-        label: html`<span class="name">${s.name}</span><i class="latin" lang="la">${s.latin}</i>`,
-      })),
-      ...(own === null
-        ? []
-        : [{ value: '', label: html`<span class="name">${own}</span><i class="latin">${growWords.ownFile}</i>` }]),
-    ];
-    return html`<div class="species-part">${choice({
-      name: 'species',
-      legend: growWords.species,
-      value: own === null ? doc.species : '',
-      options,
-      onChoose: (id) => id && editor.actions.setSpecies(id),
-    })}
-    <label class="button open-file">${icon('open')}<span>${growWords.open}</span>
-      <input type="file" accept=".json,.xml,application/json,text/xml" class="spoken" @change=${this.open}></label></div>`;
+    const now = own === null ? session.species.find((s) => s.id === doc.species) : undefined;
+    const picture = now ? thumbnailUrl(now) : null;
+    const choose = (event: Event): void => {
+      const { value } = event.target as HTMLSelectElement;
+      if (value) editor.actions.setSpecies(value);
+    };
+    return html`<div class="species-part">
+      <button type="button" class="species-plate" aria-label=${growWords.all} title=${growWords.all} @click=${() => editor.actions.openGallery()}>${
+        picture ? html`<img alt="" src=${picture} width="160" height="200">` : icon('leaf')
+      }</button>
+      <div class="species-choice"><label for="species">${growWords.species}</label>
+        <select id="species" .value=${live(own === null ? doc.species : '')} @change=${choose}>
+          ${own === null ? nothing : html`<option value="" selected>${own}</option>`}
+          ${session.species.map((s) => html`<option value=${s.id} ?selected=${own === null && s.id === doc.species}>${s.name}</option>`)}</select>
+        <p>${own === null ? html`<i lang="la">${now?.latin ?? nothing}</i>` : growWords.ownFile}</p>
+        <div class="species-ways"><button type="button" class="quiet" @click=${() => editor.actions.openGallery()}>${growWords.all}</button>
+          <label class="button open-file">${icon('open')}<span>${growWords.open}</span>
+            <input type="file" accept=".json,.xml,application/json,text/xml" class="spoken" @change=${this.open}></label></div></div></div>`;
   }
 
   private open(event: Event): void {

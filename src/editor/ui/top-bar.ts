@@ -30,7 +30,7 @@ class TopBar extends Part {
           ${this.worded('export', 'export', topWords.export, topWords.exportTitle)}
           ${this.worded('variety', 'many', topWords.variety, topWords.varietyTitle)}</div>
         <wg-view .editor=${editor} class="tool-group"></wg-view>
-        <div class="tool-group finding">${this.round('palette', 'find')}${this.round('help', 'help')}</div>
+        <div class="tool-group finding">${this.round('gallery', 'leaf')}${this.round('palette', 'find')}${this.round('help', 'help')}</div>
       </div>`;
   }
 
@@ -48,7 +48,7 @@ class TopBar extends Part {
     const { editor } = this;
     return html`<wg-file-menu .editor=${editor}></wg-file-menu>
       ${menuItem(editor, 'share', 'link')}${menuItem(editor, 'embed', 'code')}<hr>
-      ${menuItem(editor, 'history', 'history')}${menuItem(editor, 'variety', 'many')}${menuItem(editor, 'export', 'export')}<hr>
+      ${menuItem(editor, 'history', 'history')}${menuItem(editor, 'gallery', 'leaf')}${menuItem(editor, 'variety', 'many')}${menuItem(editor, 'export', 'export')}<hr>
       ${menuItem(editor, 'palette', 'find')}${menuItem(editor, 'tour', 'walk')}${menuItem(editor, 'help', 'help')}`;
   }
 

@@ -15,15 +15,17 @@ const views: readonly (readonly [ViewMode, CommandId])[] = [
 ];
 const signs: Record<(typeof THEMES)[number], Icon> = { auto: 'half', light: 'sun', dark: 'moon' };
 
-/** How it is shown: view, whole tree, theme. */
+/** How it is shown: view, whole tree, season and stage, theme. */
 class ViewPanel extends Part {
   protected override render(): TemplateResult {
     const { narrow } = this.session;
     const { theme } = this.doc;
+    // It comes with the panels.
+    const scene = this.session.panels ? html`<wg-scene .editor=${this.editor}></wg-scene>` : html``;
     return html`${this.view()}${this.whole()}${
       narrow
-        ? this.theme()
-        : menu({ id: 'theme-menu', icon: signs[theme], label: topWords.theme, quiet: true, content: this.theme() })
+        ? html`${scene}${this.theme()}`
+        : html`${menu({ id: 'scene-menu', icon: 'scene', label: topWords.scene, quiet: true, content: scene })}${menu({ id: 'theme-menu', icon: signs[theme], label: topWords.theme, quiet: true, content: this.theme() })}`
     }`;
   }
 

@@ -18,6 +18,7 @@ export const frameWords = {
   sheetHeight: (height: string): string => `Height of the controls: ${height}`,
   heights: { bar: 'closed', third: 'a third', 'two-thirds': 'two thirds', all: 'all' },
   tabs: { grow: 'Grow', wind: 'Wind', studio: 'Studio', time: 'Time', view: 'View' },
+  photoFailed: 'Photo mode could not be loaded',
   panelsFailed: 'The panels could not be loaded; reload the page to try again',
   drop: 'Let go to open it: a tree, a species, a wind, a measured wind',
 } as const;

@@ -3,6 +3,7 @@ export const growWords = {
   species: 'Species',
   ownSpecies: 'Your species',
   ownFile: 'your file',
+  all: 'All species…',
   open: 'Open a file…',
   seed: 'Seed',
   seedHint: 'Same species, same seed: the same tree, everywhere',

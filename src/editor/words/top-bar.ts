@@ -14,6 +14,7 @@ export const topWords = {
   exportTitle: 'Take the tree to other programs, or make a picture or a film of it',
   variety: 'Other trees',
   varietyTitle: 'See more trees like this one and choose',
+  scene: 'Season, stage and light',
   theme: 'Theme',
   more: 'More',
   play: 'Play',

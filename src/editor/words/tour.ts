@@ -5,7 +5,6 @@ export const tourWords = {
   done: 'Done',
   close: 'End the tour',
   progress: '{{current}} of {{total}}',
-  failed: 'The tour could not be loaded',
   stops: {
     picture: {
       title: 'A tree in the wind',

@@ -29,7 +29,8 @@ const groups: Readonly<Record<GroupId, string>> = {
   place: 'Place on the parent',
   curve: 'Curve',
   splits: 'Splits',
-  foot: 'Foot and ridges',
+  ridges: 'Ridges',
+  foot: 'Foot',
   amount: 'How many',
   blade: 'Blade',
   stance: 'How they stand',
@@ -60,6 +61,14 @@ const why: Readonly<Record<Why, string>> = {
   asPrinted: 'All readings are as printed',
   noAttraction: 'Nothing is attracted',
   noFlutter: 'The leaves do not flutter',
+  noMoss: 'There is no moss',
+  noLichen: 'There is no lichen',
+  ownMargin: 'A free outline is drawn',
+  noSecond: 'There is no second colour',
+  noneTurned: 'No leaves have turned',
+  noCover: 'There are no leaves then',
+  noOrgan: 'Twigs bear nothing',
+  asSummer: 'It is so in summer, too',
   springsOnly: 'It acts where branches answer as springs',
 };
 
@@ -119,11 +128,13 @@ export const treeWords = {
   variation: (label: string) => `${label}, variation`,
   plusMinus: '±',
   inherited: (level: string) => `As the level "${level}"; type a value for the leaves alone`,
-  noOutline: 'as the leaf shape',
+  asSummerSays: 'As in summer',
+  unsaid: 'Not set',
+  addColour: (name: string) => `Add a colour: ${name}`,
+  takeOut: (name: string) => `Take the colour out: ${name}`,
+  seen: (season: string) => `Seen in ${season} alone.`,
+  showSeason: (season: string) => `Show ${season}`,
   hex: 'as #rrggbb',
-  yes: 'on',
-  no: 'off',
-  absent: 'none',
   ofLevel: (label: string, level: string) => `${label}, ${level.toLowerCase()}`,
 
   /** The popover that explains a parameter. */
@@ -157,6 +168,19 @@ export const treeWords = {
     value: (value: number) => `${Math.round(100 * value)} per cent`,
     picture: 'The crown curve over the outline of the tree',
   },
+  margin: {
+    draw: 'Draw the outline as a curve',
+    back: 'Back to the leaf shape',
+    note: 'Drag the points: half the width of the blade, from its base to its tip.',
+    point: (index: number, count: number) =>
+      index === 0
+        ? 'Half width at the base'
+        : index === count - 1
+          ? 'Half width at the tip'
+          : `Half width at ${Math.round((100 * index) / (count - 1))} per cent of the blade`,
+    value: (value: number) => `${Math.round(100 * value)} per cent`,
+    picture: 'The outline of the blade',
+  },
   envelope: {
     note: 'Drag the points: what is outside of the line is shortened.',
     picture: 'The pruning envelope over the outline of the tree',
@@ -168,27 +192,5 @@ export const treeWords = {
     power: (power: number) =>
       power === 1 ? 'straight' : power < 1 ? `full, power ${power.toFixed(2)}` : `hollow, power ${power.toFixed(2)}`,
     start: 'Prune the tree to an envelope',
-  },
-
-  /** A stem that was clicked in the scene. */
-  stem: {
-    one: ['Trunk', 'Limb', 'Branch', 'Twig'] as readonly string[],
-    name: (level: number, number: number, count: number, clone: boolean) => {
-      const kind = ['Trunk', 'Limb', 'Branch', 'Twig'][level] ?? `Stem of level ${level}`;
-      return `${kind}${count > 1 ? ` ${number} of ${count}` : ''}${clone ? ', a split' : ''}`;
-    },
-    card: 'Selected stem',
-    length: 'Length',
-    radius: 'Radius',
-    downAngle: 'Down angle',
-    lean: 'Lean',
-    place: 'Along its parent',
-    placeValue: (percent: number) => `${percent} %`,
-    probe: 'Put the probe here',
-    close: 'Let go of this stem',
-    edit: (level: string) => `Shape all ${level.toLowerCase()}`,
-    editTrunk: 'Shape the trunk',
-    handles: 'Its handles drag length, down angle and curve of all stems of this level.',
-    none: 'No stem is selected',
   },
 } as const;

@@ -118,6 +118,15 @@ export class CaptureStage {
     }
   }
 
+  /** Resolves once the GPU has drawn all that it was given: who draws frame after frame does not run ahead of it. */
+  async drawn(): Promise<void> {
+    const gl = this.#stage.renderer.getContext() as WebGL2RenderingContext;
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    while (fence && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await breath();
+    gl.deleteSync(fence);
+  }
+
   /** Frees everything, the context on the GPU too: a browser has few. */
   dispose(): void {
     const { renderer } = this.#stage;

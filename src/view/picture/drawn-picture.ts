@@ -115,6 +115,8 @@ export class DrawnPicture implements Picture {
   /** A drawing has one light. */
   setStage(): void {}
 
+  setQuality(): void {}
+
   setInsets(insets: Insets): void {
     this.insets = insets;
     this.place();

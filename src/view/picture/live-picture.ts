@@ -10,14 +10,14 @@ import { uprightBox } from '../tree-extent.ts';
 import { type Which, WindTree } from '../wind-tree.ts';
 import { type Area, groundAt, metresAPixel, rayAt } from './aim.ts';
 import { placeOf, poseOf } from './camera-pose.ts';
-import { openCapture } from './capture.ts';
+import { openCapture, takePortrait } from './capture-on-demand.ts';
+import { Fineness } from './fineness.ts';
 import { GpuTimer } from './gpu-timer.ts';
 import type { GrownTree } from './grow-tree.ts';
 import { HandleGrip } from './handle-grip.ts';
 import { type Grip, Hands } from './hands.ts';
 import { Hover } from './hover.ts';
 import { onScreen, tipsOf } from './on-screen.ts';
-import { Pace } from './pace.ts';
 import { type Pane, panesOf } from './panes.ts';
 import type {
   Capture,
@@ -33,8 +33,8 @@ import type {
   Show,
   TextureImages,
 } from './picture.ts';
-import { Portraits } from './portraits.ts';
 import { PoseGlimpse } from './pose-glimpse.ts';
+import type { Quality } from './quality.ts';
 import { StemGrips } from './stem-grips.ts';
 import { textureImages } from './texture-images.ts';
 
@@ -77,8 +77,7 @@ export class LivePicture implements Picture {
   private time = Number.NaN;
   private caught: number | null = null;
   private windMs = 0;
-  private readonly pace = new Pace();
-  private readonly portraits = new Portraits();
+  private readonly fineness = new Fineness();
   /** As its file has it, and as it looks in the season. */
   private plain: Species | null = null;
   private species: Species | null = null;
@@ -86,10 +85,7 @@ export class LivePicture implements Picture {
   private shown: Show = { levelsShown: Number.POSITIVE_INFINITY, showLeaves: true, view: 'shaded' };
   private dark = false;
   private size: [width: number, height: number] = [1, 1];
-  /** Part of the pixels in each direction that is drawn now. */
-  private scale = 1;
   private drawn = 0;
-  private hurried = false;
   private frame = 0;
 
   /** Draws in `host`, as large as that is. Throws where the browser gives no WebGL2 context. */
@@ -199,6 +195,11 @@ export class LivePicture implements Picture {
 
   setStage(stage: StageId, hour: number | null): void {
     this.stage.setScene(stage, hour);
+    this.stale = true;
+  }
+
+  setQuality(quality: Quality): void {
+    this.fineness.quality = quality;
   }
 
   setWind(wind: Wind, fade: number): void {
@@ -275,7 +276,7 @@ export class LivePicture implements Picture {
     const moved = this.stale || time !== this.time || this.caught !== catchingUp;
     this.caught = catchingUp;
     // On a slow machine shadows follow every third frame while things move: they cost as much as the tree.
-    const shadows = moved && (this.scale === 1 || this.frame % 3 === 0);
+    const shadows = moved && (this.fineness.scale === 1 || this.frame % 3 === 0);
     stage.render(
       shadows,
       this.panes.map((pane) => ({
@@ -297,7 +298,14 @@ export class LivePicture implements Picture {
     this.stemGrips.look();
     if (this.gliding && !this.held && !stage.moving) this.settle();
     const { triangles, calls } = renderer.info.render;
-    return { triangles, drawCalls: calls, wind: this.windMs, draw: drawn - start, catchingUp };
+    return {
+      triangles,
+      drawCalls: calls,
+      wind: this.windMs,
+      draw: drawn - start,
+      catchingUp,
+      quality: this.fineness.level,
+    };
   }
 
   tips(): Float32Array {
@@ -362,15 +370,16 @@ export class LivePicture implements Picture {
   }
 
   portrait(grown: GrownTree, species: Species, options: PortraitOptions): Promise<Blob> {
-    return this.portraits.take(grown, inSeason(species, this.season), this.dark, options);
+    return takePortrait(grown, inSeason(species, this.season), this.dark, options, this.stage.place);
   }
 
   async openCapture(options: CaptureOptions): Promise<Capture> {
     const { grown, species, shown: show, dark } = this;
+    const { place: scene } = this.stage;
     if (!grown || !species) throw new Error('There is no tree to draw.');
     const { wind = this.tree.wind } = options;
     const { channel = null } = this.overlays.wanted;
-    const sitter = { packed: grown.packed, stems: grown.stems, species, wind, show, dark, channel };
+    const sitter = { packed: grown.packed, stems: grown.stems, species, wind, show, dark, channel, scene };
     const [width, height] = this.size;
     const { top, right, bottom, left } = this.insets;
     const pose = options.camera ?? (this.wished && this.turning ? this.camera : this.wished);
@@ -479,17 +488,19 @@ export class LivePicture implements Picture {
   }
 
   private resize(): void {
-    this.stage.resize(...this.size, window.devicePixelRatio * this.scale);
+    this.stage.resize(...this.size, this.fineness.pixelRatio);
   }
 
-  /** While things move, as many pixels as this machine can draw; all of them once they rest. */
+  /** Draws as finely as the reader wants or this machine can. */
   private keepPace(hurried: boolean): void {
-    if (hurried && this.hurried) this.pace.frame(performance.now() - this.drawn);
-    else this.pace.restart();
-    this.hurried = hurried;
-    const scale = hurried ? this.pace.scale : 1;
-    if (scale === this.scale) return;
-    this.scale = scale;
+    const { fineness, stage, tree } = this;
+    const { scale, level } = fineness.frame(hurried, performance.now() - this.drawn);
+    if (!scale && !level) return;
+    if (level) {
+      stage.setFineness(fineness.settings);
+      tree.detail = fineness.settings.detail;
+      tree.leafBudget = fineness.settings.leafBudget;
+    }
     this.stale = true;
     this.resize();
   }

@@ -3,6 +3,7 @@ import type { Season } from '../../core/species/season.ts';
 import type { PruningParameters, Species } from '../../core/species/species.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import type { GrownTree } from './grow-tree.ts';
+import type { Quality, QualityLevel } from './quality.ts';
 
 /** Pixels of the window that panels cover: the tree is framed in what is left. */
 export interface Insets {
@@ -39,6 +40,8 @@ export interface FrameFigures {
   readonly draw: number;
   /** Part (0..1) of the way to the wished time that a far jump has made; null: what is drawn is of the wished time. */
   readonly catchingUp: number | null;
+  /** How finely it was drawn; absent where there is one way only. */
+  readonly quality?: QualityLevel;
 }
 
 /** A second wind on the same tree, clock and camera. */
@@ -164,6 +167,8 @@ export interface Picture {
   setSeason(season: Season): void;
   /** Where the tree stands; `hour` of the day by the sun, 0..24, null: the stage's own. */
   setStage(stage: StageId, hour: number | null): void;
+  /** How finely it is drawn while time runs; where time stands, `auto` is always the same. */
+  setQuality(quality: Quality): void;
   setInsets(insets: Insets): void;
   /** null: frames the whole tree, and keeps doing so while trees and windows change. */
   setCamera(camera: CameraPose | null): void;

@@ -1,6 +1,6 @@
 import type { Species } from '../../core/species/species.ts';
 import { STILL } from '../../core/wind/wind.ts';
-import { CaptureStage, type Setting } from './capture-stage.ts';
+import { CaptureStage, type Setting, type Sitter } from './capture-stage.ts';
 import { frameView } from './frame-view.ts';
 import type { GrownTree } from './grow-tree.ts';
 import type { PortraitOptions } from './picture.ts';
@@ -18,13 +18,20 @@ export class Portraits {
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   /** The whole tree at rest, as WebP or, where the browser writes none, PNG. */
-  take(grown: GrownTree, species: Species, dark: boolean, options: PortraitOptions): Promise<Blob> {
+  take(
+    grown: GrownTree,
+    species: Species,
+    dark: boolean,
+    options: PortraitOptions,
+    scene: Sitter['scene'],
+  ): Promise<Blob> {
     const next = this.#queue.then(async () => {
       clearTimeout(this.#timer);
       const { width, height, frame } = options;
       this.#stage = this.#stageWith(frame ? 'none' : 'plain');
       const show = { levelsShown: Number.POSITIVE_INFINITY, showLeaves: true, view: 'shaded' } as const;
-      this.#stage.take({ packed: grown.packed, stems: grown.stems, species, wind: STILL, show, dark, channel: null });
+      const { packed, stems } = grown;
+      this.#stage.take({ packed, stems, species, wind: STILL, show, dark, channel: null, ...(scene ? { scene } : {}) });
       const canvas = document.createElement('canvas');
       canvas.width = width;
       canvas.height = height;

@@ -25,6 +25,19 @@ describe('one fault, at its place', () => {
     ],
     [[{ id: 'a', name: 'A' }], '[0].file: found nothing; allowed: the name of a file beside this one.'],
     [[{ ...entry, thumbnial: 'a.svg' }], '[0].thumbnial: found an unknown key; allowed: "thumbnail".'],
+    [[{ ...entry, seed: 1.5 }], '[0].seed: found 1.5; allowed: a whole number from 0.'],
+    [
+      [{ ...entry, height: [3, 2] }],
+      '[0].height: found the list [3, 2]; allowed: two numbers above 0, metres, the smaller first.',
+    ],
+    [
+      [{ ...entry, seasons: ['monsoon'] }],
+      '[0].seasons: found a list of 1; allowed: a list of spring, summer, autumn, winter.',
+    ],
+    [
+      [{ ...entry, portrait: '../a.webp' }],
+      '[0].portrait: found the text "../a.webp"; allowed: the name of a file beside this one.',
+    ],
     [[entry, entry], '[1].id: found the text "light-air"; allowed: an id that no other has.'],
   ])('%j', (value, fault) => {
     expect(faultsOf(value)).toEqual([fault]);

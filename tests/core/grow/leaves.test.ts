@@ -102,6 +102,32 @@ describe('row 44: leaves turn to the light', () => {
   });
 });
 
+describe('a flat spray', () => {
+  // The trunk leans, so that no plane of a twig is level.
+  const leaning = edit(leafy, { levels: { 0: { downAngle: 40 } }, leaves: { rotate: 137.5 } });
+  const flat = (part: number) => grow(edit(leaning, { leaves: { flat: part } }), 1);
+
+  test('of 1 lays all leaves into the plane of their twig and its parent, in two rows, with the upper face up', () => {
+    const tree = flat(1);
+    for (const stem of stemsOf(tree, 1)) {
+      const [x, y, z] = [0, 1, 2].map((axis) => axisAt(tree, stem, 0, axis)) as [Vec3, Vec3, Vec3];
+      const rows = leavesOn(tree, stem).map((leaf) => {
+        const [along, normal] = [axisOf(tree, leaf, [0, 0, 1]), axisOf(tree, leaf, [0, 1, 0])];
+        expect(Math.abs(angleDeg(along, x) - 90)).toBeLessThan(0.01);
+        expect(angleDeg(along, z)).toBeCloseTo(50, 2);
+        expect(Math.min(angleDeg(normal, x), 180 - angleDeg(normal, x))).toBeLessThan(0.1);
+        expect(normal[2]).toBeGreaterThanOrEqual(-1e-6);
+        return angleDeg(along, y) < 90;
+      });
+      expect(rows).toEqual(rows.map((_, k) => rows[k % 2]));
+      expect(new Set(rows).size).toBe(2);
+    }
+  });
+  test('of 0 is what the species was without it', () => {
+    expect(flat(0).leaves.orientation).toEqual(grow(leaning, 1).leaves.orientation);
+  });
+});
+
 test('a bare trunk bears leaves above its bare part', () => {
   const tree = grow(edit(leafy, { tree: { levels: 1, baseSize: 0.5 } }), 1);
   expect(tree.leaves.count).toBe(20);

@@ -20,6 +20,8 @@ export interface Edit {
   readonly leaves?: Partial<Species['leaves']>;
   readonly pruning?: Partial<Species['pruning']>;
   readonly switches?: Partial<Species['switches']>;
+  readonly foliage?: Partial<Species['foliage']>;
+  readonly organ?: Partial<Species['organ']>;
 }
 
 export const edit = (species: Species, changes: Edit): Species => ({
@@ -29,6 +31,8 @@ export const edit = (species: Species, changes: Edit): Species => ({
   leaves: { ...species.leaves, ...changes.leaves },
   pruning: { ...species.pruning, ...changes.pruning },
   switches: { ...species.switches, ...changes.switches },
+  foliage: { ...species.foliage, ...changes.foliage },
+  organ: { ...species.organ, ...changes.organ },
 });
 
 /** The species without its random variation; negative variations are modes and stay. */

@@ -232,7 +232,11 @@ describe('link', () => {
     const every: SpeciesEdits = Object.fromEntries(
       [...PLACES].map(([path, { parameter: p }]) => [
         path,
-        p.kind === 'number' ? p.max : p.kind === 'numbers' ? [p.min, p.max] : (p.default as string | boolean),
+        p.kind === 'number'
+          ? p.max
+          : p.kind === 'numbers'
+            ? [p.min, p.max]
+            : ((p.default as string | boolean | undefined) ?? null),
       ]),
     );
     const long = { ...defaults, edits: every };

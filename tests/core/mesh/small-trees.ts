@@ -21,6 +21,7 @@ export const SMALL: Readonly<Record<string, Species>> = {
   'open ends': edit(aspen, { levels: { 0: { taper: 0.5 }, 1: { taper: 0 }, 2: { taper: 0.9 } } }),
   'round ends': edit(aspen, { levels: { 0: { taper: 1.5 }, 1: { taper: 2 }, 2: { taper: 1.2 } } }),
   'strings of balls': edit(aspen, { levels: { 1: { taper: 3 }, 2: { taper: 2.6 } } }),
+  'in fruit': edit(aspen, { organ: { kind: 'fruit', share: 0.3 }, foliage: { cover: 0.5 } }),
   bulges: edit(aspen, { tree: { bulges: 4, bulgeDepth: 0.3 } }),
 };
 

@@ -20,13 +20,14 @@ it('states every layer of the tables as a GLSL constant', () => {
     PIECE_TIP: PIECE_LAYERS.TIP,
     BRANCH_SPAN: BRANCH_LAYERS.SPAN,
     BRANCH_STEM: BRANCH_LAYERS.STEM,
+    BRANCH_JOINT: BRANCH_LAYERS.JOINT,
     LEAF_LEAF: LEAF_LAYERS.LEAF,
     POSE_P3: POSE_TARGETS.P3,
     SPRING_LOAD: SPRING_LAYERS.LOAD,
     STATE_END: STATE_TARGETS.END,
     SWAY_OFFSET: SWAY_LAYERS.OFFSET,
   });
-  expect(stated).toHaveLength(5 + 2 + 1 + 4 + 3 + 3 + 2);
+  expect(stated).toHaveLength(5 + 3 + 1 + 4 + 3 + 3 + 2);
   expect(glsl).toContain('ivec3 texelAt(int index, int log2Width, int layer)');
 });
 

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Tree } from '../../../src/core/grow/tree.ts';
-import { bezierPoint } from '../../../src/core/math/bezier.ts';
+import { bezierDerivative, bezierPoint, type Cubic } from '../../../src/core/math/bezier.ts';
+import { cross, subtract, unit, type Vec3 } from '../../../src/core/math/vec3.ts';
 import { hashPacked } from '../../../src/core/pack/hash-packed.ts';
 import { leafTexel } from '../../../src/core/pack/leaf-texel.ts';
 import { packTree } from '../../../src/core/pack/pack.ts';
@@ -17,6 +18,8 @@ function packed(tree: Tree): { tree: Tree; pieces: Pieces; hung: LeafAttachments
   const hung = attachLeaves(tree, pieces);
   return { tree, pieces, hung, pack: packTree(tree, pieces, hung) };
 }
+
+const curveFrom = ([p0, p1, p2, p3]: readonly Vec3[]): Cubic => ({ p0, p1, p2, p3 }) as Cubic;
 
 const floats = (a: Float32Array, from: number, count: number): number[] => Array.from(a.subarray(from, from + count));
 
@@ -101,6 +104,29 @@ describe('packTree', () => {
     expect(of(2).parentRadius).toBeCloseTo(0.15, 2);
     expect(of(2).phase).toBe(of(0).phase);
     expect(of(1).phase).not.toBe(of(0).phase);
+  });
+
+  it("knows how the parent's axis stands to the first piece of a stem, and of no other", () => {
+    let joints = 0;
+    for (let k = 0; k < pack.pieceCount; k++) {
+      const { piece, parentAxis } = unpackBranch(pack, k);
+      const stem = pieces.stem[piece];
+      if (stems.parent[stem] < 0 || pieces.firstOfStem[stem] !== piece) {
+        expect(parentAxis).toEqual([0, 0, 0]);
+        continue;
+      }
+      joints++;
+      const parent = unpackPose(pack.restPose, pieces.parent[piece]).points;
+      const tangent = unit(bezierDerivative(curveFrom(parent), pieces.v[piece]));
+      const { points, orient } = unpackPose(pack.restPose, piece);
+      const first = unit(subtract(points[1], points[0]));
+      const across = cross(first, orient);
+      const told = [0, 1, 2].map(
+        (i) => parentAxis[0] * first[i] + parentAxis[1] * orient[i] + parentAxis[2] * across[i],
+      );
+      expect(Math.hypot(...told.map((x, i) => x - tangent[i]))).toBeLessThan(1e-3);
+    }
+    expect(joints).toBeGreaterThan(5);
   });
 
   it('gives every leaf back, once', () => {

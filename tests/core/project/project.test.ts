@@ -80,7 +80,7 @@ describe('a project file', () => {
     expect(text).toContain('"camera": {\n    "azimuth": 30,');
     expect(text).toContain('"target": [ 0, 6, 0 ]');
     expect(lines.filter((line) => line.includes('"amplitude"')).every((line) => line.includes('"phase"'))).toBe(true);
-    expect(Math.max(...lines.map((line) => line.length))).toBeLessThan(420);
+    expect(Math.max(...lines.map((line) => line.length))).toBeLessThan(700);
   });
 
   it('may leave out all but the species', () => {

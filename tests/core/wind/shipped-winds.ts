@@ -1,8 +1,8 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { faultText } from '../../../src/core/file/fault.ts';
-import { parseWindWithRecord } from '../../../src/core/wind/load-wind.ts';
 import type { Wind } from '../../../src/core/wind/wind.ts';
+import { parseWindWithRecord } from '../../../src/core/wind/wind-with-record.ts';
 
 /** Where the winds lie that ship. */
 export const windsFolder = join(import.meta.dirname, '../../../public/winds');

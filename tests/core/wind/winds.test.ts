@@ -3,10 +3,10 @@ import { join } from 'node:path';
 import { describe, expect, test } from 'vitest';
 import { windThumbnail } from '../../../docs/wind-thumbnail.ts';
 import { parseIndex } from '../../../src/core/file/shipped-index.ts';
-import { parseWindWithRecord } from '../../../src/core/wind/load-wind.ts';
 import { beaufortOf, speedOfForce } from '../../../src/core/wind/speed.ts';
 import { STILL, type Wind } from '../../../src/core/wind/wind.ts';
 import { windText } from '../../../src/core/wind/wind-file.ts';
+import { parseWindWithRecord } from '../../../src/core/wind/wind-with-record.ts';
 import { felt } from './force-over-time.ts';
 import { shippedWind, windNames, windsFolder, windsText } from './shipped-winds.ts';
 

@@ -18,6 +18,7 @@ import { changedBy } from '../../../src/editor/stem-handles.ts';
 import { sliderRange } from '../../../src/editor/ui/tree/comfort.ts';
 import { curveOfShape } from '../../../src/editor/ui/tree/crown-editor.ts';
 import { envelopeOutline, powerThrough } from '../../../src/editor/ui/tree/envelope-editor.ts';
+import { pictureName } from '../../../src/editor/ui/tree/help-pictures.ts';
 import { noEffect } from '../../../src/editor/ui/tree/no-effect.ts';
 import { allowedText, sourceText } from '../../../src/editor/ui/tree/popover-text.ts';
 import { findPlaces, isFound } from '../../../src/editor/ui/tree/search.ts';
@@ -29,6 +30,7 @@ import {
   sectionOfPath,
 } from '../../../src/editor/ui/tree/sections.ts';
 import { grownSize, silhouette } from '../../../src/editor/ui/tree/silhouette.ts';
+import { standIn } from '../../../src/editor/ui/tree/stand-in.ts';
 import { valueText } from '../../../src/editor/ui/tree/value-text.ts';
 
 const shippedSpecies = (id: string) => parseSpecies(readFileSync(`public/species/${id}.json`, 'utf8')).species!;
@@ -56,8 +58,8 @@ describe('sections', () => {
     expect(rows).toContainEqual({ path: 'levels.1.curveSideV' });
     expect(sectionOfPath('tree.lobes').id).toBe('level-0');
     const groups = (id: string) => SECTIONS.find((s) => s.id === id)!.groups.map((g) => g.group);
-    expect(groups('level-0')).toEqual(['children', 'place', 'curve', 'splits', 'thickness', 'foot']);
-    expect(groups('level-2')).toEqual(['children', 'place', 'curve', 'splits', 'thickness']);
+    expect(groups('level-0')).toEqual(['children', 'place', 'curve', 'splits', 'thickness', 'ridges', 'foot']);
+    expect(groups('level-2')).toEqual(['children', 'place', 'curve', 'splits', 'thickness', 'ridges']);
   });
 
   it('side by side: each place of the levels once, in the column of its level', () => {
@@ -127,8 +129,8 @@ describe('what does nothing', () => {
   };
   // What the drawing alone reads is packed all the same, or is not packed at all.
   const drawn = (path: string): boolean =>
-    /^(bark|foliage|wind)\./.test(path) ||
-    /tree\.(lobes|lobeDepth|bulges|bulgeDepth)$/.test(path) ||
+    /^(bark|foliage|organ|spring|autumn|winter|wind)\./.test(path) ||
+    /\.(lobes|lobeDepth|bulges|bulgeDepth)$/.test(path) ||
     path === 'leaves.shape';
 
   it.each(Object.entries(cases))('%s: what is said to do nothing leaves the tree as it is', (_name, edits) => {
@@ -160,6 +162,37 @@ describe('what does nothing', () => {
     expect(noEffect('wind.modulus', aspen, 'spring')).toBeUndefined();
     expect(noEffect('tree.lobeDepth', editSpecies(aspen, { 'tree.lobes': 0 }))).toBe('noLobes');
     expect(noEffect('foliage.colour', editSpecies(aspen, { 'leaves.count': 0 }))).toBe('noLeaves');
+  });
+});
+
+describe('what does nothing to the look', () => {
+  const bare = { 'organ.kind': 'none', 'spring.organ': null } as const;
+  it.each<[string, SpeciesEdits, string | undefined]>([
+    ['organ.share', { ...bare, 'autumn.organ': null, 'winter.organ': null }, 'noOrgan'],
+    ['organ.share', { ...bare, 'spring.organ': 'blossom' }, undefined],
+    ['spring.organSize', bare, 'noOrgan'],
+    ['spring.organSize', { 'organ.kind': 'fruit', 'spring.organ': null, 'spring.organSize': 0.5 }, undefined],
+    ['spring.organSize', { 'organ.kind': 'fruit', 'spring.organ': 'none' }, 'noOrgan'],
+    ['autumn.colour', { 'autumn.cover': 0 }, 'noCover'],
+    ['autumn.colour', { 'autumn.cover': 1, 'autumn.colour': '#102030', 'foliage.colour': '#102030' }, 'asSummer'],
+    ['autumn.colour', { 'autumn.cover': 1, 'autumn.colour': null }, undefined],
+    ['autumn.secondShare', { 'autumn.cover': 1, 'autumn.second': null, 'foliage.second': null }, 'noSecond'],
+    ['leaves.shape', { 'foliage.margin': [0, 1, 0] }, 'ownMargin'],
+    ['foliage.outline', { 'foliage.margin': [0, 1, 0] }, 'ownMargin'],
+    ['levels.1.lobeDepth', { 'levels.1.lobes': 0 }, 'noLobes'],
+    ['bark.mossColour', { 'bark.moss': 0 }, 'noMoss'],
+    ['bark.mossColour', { 'bark.moss': 0.2 }, undefined],
+  ])('%s with %j: %s', (path, edits, why) => {
+    expect(noEffect(path, editSpecies(aspen, edits))).toBe(why);
+  });
+
+  it('is what stands in for it where it is absent', () => {
+    const species = editSpecies(aspen, { 'foliage.cover': 0.7, 'organ.kind': 'cone', 'foliage.second': null });
+    expect(standIn(species, 'winter.cover')).toBe(0.7);
+    expect(standIn(species, 'winter.organ')).toBe('cone');
+    expect(standIn(species, 'winter.second')).toBe(null);
+    expect(standIn(species, 'leaves.downAngle')).toBe(species.levels[3]!.downAngle);
+    expect([valueText('winter.cover', null), valueText('bark.young', null)]).toEqual(['as in summer', 'none']);
   });
 });
 
@@ -250,7 +283,7 @@ describe('pictures of parameters', () => {
 
   it('there are ones of all that can be seen', () => {
     const shown = new Set(PARAMETER_PICTURES.map((p) => p.path));
-    const without = [...new Set([...PLACES.keys()].map((path) => path.replace(/^levels\.\d\./, 'levels.')))].filter(
+    const without = [...new Set([...PLACES.keys()].map(pictureName))].filter(
       (path) => !shown.has(path) && !/^(wind|switches)\.|V$/.test(path),
     );
     expect(without).toEqual(['tree.disc']);

@@ -43,6 +43,7 @@ export const leafNode = (
 export function hangLeaves(
   document: Document,
   accessors: Accessors,
+  name: string,
   mesh: Mesh,
   leaves: LeafPlacements,
   tints: Float32Array,
@@ -71,7 +72,7 @@ export function hangLeaves(
       rotation.set(turn, 4 * n);
       colours.set(tints.subarray(3 * i, 3 * i + 3), 3 * n);
     });
-    const node = instanceNode(document, accessors, `leaves_${skeleton.names[j]!}`, mesh, position, rotation, colours);
+    const node = instanceNode(document, accessors, `${name}_${skeleton.names[j]!}`, mesh, position, rotation, colours);
     joints[j]!.addChild(node);
   });
 }

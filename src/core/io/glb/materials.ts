@@ -6,9 +6,11 @@ import {
   type TextureInfo,
 } from '@gltf-transform/core';
 import { KHRMaterialsDiffuseTransmission } from '@gltf-transform/extensions';
-import { barkMaps, twigColour } from '../../look/bark-maps.ts';
+import { twigColour } from '../../look/bark-colour.ts';
+import { barkMaps } from '../../look/bark-maps.ts';
 import type { Colour } from '../../look/colour.ts';
-import { brightestLeaf, LEAF_IMAGE_GAIN, leafImage, throughColour } from '../../look/leaf-look.ts';
+import { brightestLeaf, LEAF_IMAGE_GAIN, leafImage, leafThin, throughColour } from '../../look/leaf-look.ts';
+import { leafForm, leafSpecOf } from '../../look/leaf-shapes.ts';
 import type { Species } from '../../species/species.ts';
 import { pngOf } from './png.ts';
 
@@ -17,6 +19,8 @@ export interface TreeMaterials {
   readonly bark: Material;
   readonly twigs: Material;
   readonly leaves: Material;
+  /** White: its colours are those of the vertices. */
+  readonly organs: Material;
   /** The colour of the leaves' material, which the colour of each leaf is a part of; without and with its image. */
   readonly leafBase: Colour;
   /** What a leaf's colour is multiplied by before it is divided by `leafBase`. */
@@ -37,7 +41,7 @@ const repeat = (info: TextureInfo | null): void => {
  */
 export function treeMaterials(
   document: Document,
-  { bark, foliage }: Species,
+  { bark, foliage, leaves: shape, organ }: Species,
   size: number,
   report: (done: number) => void = () => {},
 ): TreeMaterials {
@@ -81,12 +85,24 @@ export function treeMaterials(
     .setDoubleSided(true)
     .setBaseColorFactor([...leafBase, 1])
     .setRoughnessFactor(foliage.roughness);
-  if (size > 0) leaves.setBaseColorTexture(image('leaf veins', leafImage(LEAF_SIZE), LEAF_SIZE));
+  if (size > 0)
+    leaves.setBaseColorTexture(
+      image(
+        'leaf veins',
+        leafImage(LEAF_SIZE, leafForm(leafSpecOf({ foliage, leaves: shape })), foliage.veins),
+        LEAF_SIZE,
+      ),
+    );
   const through = document
     .createExtension(KHRMaterialsDiffuseTransmission)
     .createDiffuseTransmission()
-    .setDiffuseTransmissionFactor(0.3)
+    .setDiffuseTransmissionFactor(Math.min(1, 0.3 * leafThin(foliage)))
     .setDiffuseTransmissionColorFactor([...throughColour(foliage)]);
   leaves.setExtension('KHR_materials_diffuse_transmission', through);
-  return { bark: barkMaterial, twigs, leaves, leafBase, leafGain };
+  const organs = document
+    .createMaterial('organs')
+    .setMetallicFactor(0)
+    .setDoubleSided(true)
+    .setRoughnessFactor(organ.kind === 'fruit' ? 0.35 : 0.75);
+  return { bark: barkMaterial, twigs, leaves, organs, leafBase, leafGain };
 }

@@ -1,5 +1,5 @@
 import type { Document, Primitive, TypedArray } from '@gltf-transform/core';
-import { crownNormal } from '../../look/crown-sky.ts';
+import { crownNormal } from '../../look/crown-normal.ts';
 import type { BarkMesh } from '../../mesh/bark-mesh.ts';
 import type { LeafTriangles } from '../../mesh/expand-leaves.ts';
 import type { LeafPlacements } from '../../mesh/leaf-placements.ts';
@@ -186,6 +186,43 @@ const imagePlaces = (uv: Float32Array): Float32Array<ArrayBuffer> => {
   for (let i = 0; i < uv.length; i += 2) [out[i], out[i + 1]] = [uv[i]!, 1 - uv[i + 1]!];
   return out;
 };
+
+/** Organs as triangles; their normals are their own, since they are round. `colour`: 4 bytes a vertex. */
+export function organPrimitive(
+  writer: VertexWriter,
+  { position, normal, index, vertexCount }: LeafTriangles,
+  { organs }: TreeMaterials,
+  colour: Uint8Array<ArrayBuffer>,
+  skin: Skin | null,
+  joints: number,
+  more: readonly GlbAttribute[],
+): Primitive {
+  const attributes = shape(writer, position, normal, null);
+  attributes.set('COLOR_0', { array: colour, size: 4, normalized: true });
+  addSkin(attributes, skin, joints);
+  addMore(attributes, more);
+  return setAll(
+    writer,
+    attributes,
+  )(writer.document.createPrimitive())
+    .setIndices(writer.accessors.add(indexOf(index, 0, vertexCount), 1))
+    .setMaterial(organs);
+}
+
+/** One organ, in its own axes, for instances. */
+export const oneOrganPrimitive = (
+  { document, accessors }: VertexWriter,
+  { leaf }: LeafPlacements,
+  { organs }: TreeMaterials,
+  colour: Uint8Array<ArrayBuffer>,
+): Primitive =>
+  document
+    .createPrimitive()
+    .setAttribute('POSITION', accessors.add(leaf.position.slice(), 3))
+    .setAttribute('NORMAL', accessors.add(leaf.normal.slice(), 3))
+    .setAttribute('COLOR_0', accessors.add(colour, 4, true))
+    .setIndices(accessors.add(leaf.index.slice(), 1))
+    .setMaterial(organs);
 
 /** One leaf, in its own axes, for instances. */
 export function oneLeafPrimitive(writer: VertexWriter, { leaf }: LeafPlacements, materials: TreeMaterials): Primitive {

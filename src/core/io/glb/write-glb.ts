@@ -1,5 +1,6 @@
 import { Document, type Mesh, type Node, VertexLayout, WebIO } from '@gltf-transform/core';
 import { EXTMeshGPUInstancing, KHRMaterialsDiffuseTransmission, KHRMeshQuantization } from '@gltf-transform/extensions';
+import { treeLight } from '../../look/tree-light.ts';
 import { expandLeaves, type LeafTriangles } from '../../mesh/expand-leaves.ts';
 import type { LeafPlacements } from '../../mesh/leaf-placements.ts';
 import { gradesFrom, type MeshGrade } from '../../mesh/mesh-detail.ts';
@@ -17,10 +18,18 @@ import { clipTracks } from './clip-tracks.ts';
 import { hangLeaves, leafNode } from './leaf-instances.ts';
 import { treeMaterials } from './materials.ts';
 import { MsftLod } from './msft-lod.ts';
-import { barkPrimitives, type GlbAttribute, leafPrimitive, oneLeafPrimitive, type VertexWriter } from './primitives.ts';
+import {
+  barkPrimitives,
+  type GlbAttribute,
+  leafPrimitive,
+  oneLeafPrimitive,
+  oneOrganPrimitive,
+  organPrimitive,
+  type VertexWriter,
+} from './primitives.ts';
 import { quantumOf } from './quantize.ts';
 import { type SkinNodes, skinNodes } from './skin-nodes.ts';
-import { barkTint, leafTints } from './tint.ts';
+import { barkTint, leafTints, organColours } from './tint.ts';
 import { yUp, yUpJoints } from './y-up.ts';
 
 export type { GlbAttribute } from './primitives.ts';
@@ -47,7 +56,8 @@ const COVERAGE = [0.5, 0.2, 0.02];
 interface Level {
   readonly name: string;
   readonly mesh: TreeMesh;
-  readonly leaves: LeafTriangles | null;
+  /** Leaves and organs as triangles; null where there are none, or instances are written. */
+  readonly expanded: Readonly<Record<'leaves' | 'organs', LeafTriangles | null>>;
 }
 
 /**
@@ -83,11 +93,14 @@ export async function writeGlb(
   const scene = document.createScene(species.name);
   document.getRoot().setDefaultScene(scene).setExtras(provenance(grown, options));
   const table = pieceTable(packed);
+  const light = treeLight(packed, species);
   const skinFor = (piece: ArrayLike<number>, u: ArrayLike<number>) =>
     skeleton ? skinOf(skeleton, pieces, piece, u) : null;
   const joints = skeleton?.count ?? 0;
-  const nodes = levels.map(({ name, mesh, leaves }): Node => {
-    const tint = barkTint(mesh, table, packed.crown);
+  const tintsOf = (placed: LeafPlacements): Float32Array<ArrayBuffer> =>
+    leafTints(placed, species, light, materials.leafBase, materials.leafGain);
+  const nodes = levels.map(({ name, mesh, expanded }): Node => {
+    const tint = barkTint(mesh, table, light);
     const body: Mesh = document.createMesh(name);
     const skin = skinFor(mesh.piece, mesh.u);
     const more = attributes.bark?.(mesh) ?? [];
@@ -97,29 +110,40 @@ export async function writeGlb(
     else if (quantum) {
       node.setTranslation([...quantum.offset]).setScale([quantum.scale, quantum.scale, quantum.scale]);
     }
-    const placed = mesh.leaves;
-    if (!placed) return node;
-    const tints = leafTints(placed, species, packed.crown, materials.leafBase, materials.leafGain);
-    if (leaves) {
-      const at = skeleton ? perVertex(leaves, placed) : null;
-      const leafSkin = at ? skinFor(at.piece, at.u) : null;
-      const moreLeaves = attributes.leaves?.(leaves, placed) ?? [];
-      body.addPrimitive(leafPrimitive(writer, leaves, materials, tints, packed.crown, leafSkin, joints, moreLeaves));
-      return node;
+    const instances: Node[] = [];
+    for (const kind of ['leaves', 'organs'] as const) {
+      const placed = mesh[kind];
+      if (!placed) continue;
+      const triangles = expanded[kind];
+      if (triangles) {
+        const at = skeleton ? perVertex(triangles, placed) : null;
+        const own = at ? skinFor(at.piece, at.u) : null;
+        const others = attributes.leaves?.(triangles, placed) ?? [];
+        body.addPrimitive(
+          kind === 'leaves'
+            ? leafPrimitive(writer, triangles, materials, tintsOf(placed), packed.crown, own, joints, others)
+            : organPrimitive(writer, triangles, materials, organColours(triangles.uv, species), own, joints, others),
+        );
+        continue;
+      }
+      const one = document
+        .createMesh(kind === 'leaves' ? 'leaf' : 'organ')
+        .addPrimitive(
+          kind === 'leaves'
+            ? oneLeafPrimitive(writer, placed, materials)
+            : oneOrganPrimitive(writer, placed, materials, organColours(placed.leaf.uv, species)),
+        );
+      const tints = kind === 'leaves' ? tintsOf(placed) : new Float32Array(3 * placed.count).fill(1);
+      if (skeleton && bones && rest) {
+        const skinned = skinOf(skeleton, pieces, placed.piece, placed.u);
+        hangLeaves(document, accessors, kind, one, placed, tints, skeleton, skinned, yUpJoints(rest), bones.joints);
+      } else instances.push(leafNode(document, accessors, `${name}_${kind}`, one, placed, tints));
     }
-    const leaf = document.createMesh('leaf').addPrimitive(oneLeafPrimitive(writer, placed, materials));
-    if (skeleton && bones && rest) {
-      const skinned = skinOf(skeleton, pieces, placed.piece, placed.u);
-      hangLeaves(document, accessors, leaf, placed, tints, skeleton, skinned, yUpJoints(rest), bones.joints);
-      return node;
-    }
-    const instances = leafNode(document, accessors, `${name}_leaves`, leaf, placed, tints);
-    if (!quantum) return node.addChild(instances);
+    if (instances.length === 0) return node;
     // The scale of short numbers is the stems' own.
-    return document
-      .createNode(name)
-      .addChild(node.setName(`${name}_stems`))
-      .addChild(instances);
+    const whole = quantum ? document.createNode(name).addChild(node.setName(`${name}_stems`)) : node;
+    for (const each of instances) whole.addChild(each);
+    return whole;
   });
   report('mesh', 0.5);
   stand(document, nodes, options.lods);
@@ -170,14 +194,16 @@ function meshLevels(
         ? { leastBands: detail === 'high' ? 4 : detail === 'medium' ? 3 : 2, bentLevels: options.boneLevels }
         : {}),
     });
-    const leaves = mesh.leaves && !instanced ? expandLeaves(mesh.leaves) : null;
+    const triangles = (placed: LeafPlacements | null): LeafTriangles | null =>
+      placed && !instanced ? expandLeaves(placed) : null;
+    const expanded = { leaves: triangles(mesh.leaves), organs: triangles(mesh.organs) };
     report((i + 1) / grades.length);
-    return { name: options.lods === 'none' ? 'tree' : `tree_LOD${i}`, mesh, leaves };
+    return { name: options.lods === 'none' ? 'tree' : `tree_LOD${i}`, mesh, expanded };
   });
 }
 
-const pointsOf = ({ mesh, leaves }: Level): Float32Array[] =>
-  [mesh.position, ...(leaves ? [leaves.position] : [])].map((positions) => yUp(positions));
+const pointsOf = ({ mesh, expanded }: Level): Float32Array[] =>
+  [mesh, expanded.leaves, expanded.organs].flatMap((part) => (part ? [yUp(part.position)] : []));
 
 /** Piece and Bezier parameter of each vertex of the leaves: those of its stalk. */
 function perVertex({ leaf }: LeafTriangles, { piece, u }: LeafPlacements): { piece: Uint32Array; u: Float32Array } {

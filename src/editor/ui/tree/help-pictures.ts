@@ -17,5 +17,6 @@ export function loadPictures(): Promise<Readonly<Record<string, PictureValues>>>
   return loading;
 }
 
-/** A path as the pictures are named: without the level. */
-export const pictureName = (path: string): string => path.replace(/^levels\.\d+\./, 'levels.');
+/** A path as the pictures are named: without the level, and autumn for every season that changes the look. */
+export const pictureName = (path: string): string =>
+  path.replace(/^levels\.\d+\./, 'levels.').replace(/^(spring|winter)\./, 'autumn.');

@@ -3,9 +3,11 @@ import { PLACES } from '../../../core/species/edits.ts';
 import { withReadings } from '../../../core/species/readings.ts';
 import type { LevelParameters, Species } from '../../../core/species/species.ts';
 import type { Wind } from '../../../core/wind/wind.ts';
+import { ofBark, ofFoliage, ofOrgan, ofSeason, type WhyLook } from './no-effect-look.ts';
 
 /** Why a parameter does nothing at present; the words are in words/tree.ts. */
 export type Why =
+  | WhyLook
   | 'noLevel'
   | 'noStems'
   | 'noLimbs'
@@ -73,8 +75,16 @@ export function noEffect(path: string, given: Species, model?: Wind['model']): W
       return ofPruning(species, parameter.key);
     case 'switches':
       return ofSwitches(species, given.switches.paper, parameter.key);
+    case 'bark':
+      return ofBark(species, parameter.key);
     case 'foliage':
-      return hasLeaves(species) ? undefined : 'noLeaves';
+      return hasLeaves(species) ? ofFoliage(species, parameter.key) : 'noLeaves';
+    case 'organ':
+      return hasLeaves(species) ? ofOrgan(species, parameter.key) : 'noLeaves';
+    case 'spring':
+    case 'autumn':
+    case 'winter':
+      return hasLeaves(species) ? ofSeason(species, parameter.group, parameter.key) : 'noLeaves';
     case 'wind':
       return ofWind(species, parameter.key, model);
     default:
@@ -93,6 +103,8 @@ function ofLevel(species: Species, level: number, key: string): Why | undefined 
   if (p.curveV < 0 && (key === 'curve' || key === 'curveBack')) return 'helix';
   if (p.curveV >= 0 && key === 'helixTurns') return 'noHelix';
   if (level > 0 && p.branches < 0 && key === 'rotateV') return 'fan';
+  if (key === 'lobes' && p.lobeDepth === 0) return 'noLobeDepth';
+  if (key === 'lobeDepth' && p.lobes === 0) return 'noLobes';
   return undefined;
 }
 
@@ -127,7 +139,9 @@ function ofLeaves(species: Species, key: string): Why | undefined {
   if (key === 'count') return undefined;
   if (!hasLeaves(species)) return 'noLeaves';
   if (key === 'rotateV' && species.leaves.count < 0) return 'fan';
-  return key === 'shape' && species.foliage.outline !== undefined ? 'ownOutline' : undefined;
+  if (key !== 'shape') return undefined;
+  if (species.foliage.margin) return 'ownMargin';
+  return species.foliage.outline === undefined ? undefined : 'ownOutline';
 }
 
 function ofPruning(species: Species, key: string): Why | undefined {

@@ -1,14 +1,17 @@
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { PLACES } from '../../../core/species/edits.ts';
-import type { NumberParameter, NumbersParameter } from '../../../core/species/parameter.ts';
+import type { ChoiceParameter, NumberParameter, NumbersParameter } from '../../../core/species/parameter.ts';
 import { treeWords } from '../../words/tree.ts';
 import { toggle } from '../choice.ts';
+import { icon } from '../icons.ts';
 import { amount } from '../number-field.ts';
 import { unlessTyping } from '../unless-typing.ts';
 import { type Context, idOf, type State, spokenName } from './context.ts';
 import { crownEditor } from './crown-editor.ts';
+import { marginEditor } from './margin-editor.ts';
 import { shapePicker } from './shape-picker.ts';
+import { standIn } from './stand-in.ts';
 import { numberText, unitOf, valueText } from './value-text.ts';
 
 /** The control of a parameter that is no plain number: a name, a switch, a choice, a colour, a list, a curve. */
@@ -16,16 +19,12 @@ export function otherControl(path: string, c: Context, state: State): TemplateRe
   const { parameter } = PLACES.get(path)!;
   if (path === 'tree.shape') return shapePicker(path, c, state);
   if (path === 'tree.crown') return crownEditor(path, c, state);
+  if (path === 'foliage.margin') return marginEditor(path, c, state);
   switch (parameter.kind) {
     case 'number':
       return named(path, parameter, c, state);
     case 'choice':
-      return select(
-        path,
-        parameter.choices.map((choice) => ({ value: choice, label: choice })),
-        String(state.value),
-        (value) => c.set(path, value),
-      );
+      return choices(path, parameter, c, state);
     case 'flag':
       return html`<span class="amounts">${toggle(
         idOf(path),
@@ -39,6 +38,15 @@ export function otherControl(path: string, c: Context, state: State): TemplateRe
     case 'numbers':
       return list(path, parameter, c, state);
   }
+}
+
+/** One of a few, or none of them where it may be absent. */
+function choices(path: string, parameter: ChoiceParameter, c: Context, state: State): TemplateResult {
+  const options = parameter.choices.map((choice) => ({ value: choice, label: choice }));
+  if (parameter.default === undefined) options.unshift({ value: '', label: valueText(path, null) });
+  return select(path, options, state.value === null ? '' : String(state.value), (value) =>
+    c.set(path, value === '' ? null : value),
+  );
 }
 
 /** An id that stands for something: its names to choose from. */
@@ -60,8 +68,19 @@ const select = (
       (o) => html`<option value=${o.value} ?selected=${o.value === value}>${o.label}</option>`,
     )}</select></span>`;
 
-/** A colour to pick, and to type as #rrggbb. */
+/** With which a colour begins that nothing else stands in for: that of turned leaves and young bark. */
+const FIRST_COLOUR = '#b8863b';
+
+/** A colour to pick, and to type as #rrggbb; where it may be absent, to add and to take out. */
 function colour(path: string, c: Context, state: State): TemplateResult {
+  const mayGo = PLACES.get(path)!.parameter.default === undefined;
+  if (state.value === null) {
+    const instead = standIn(c.species, path);
+    return html`<span class="amounts wide colours">${
+      typeof instead === 'string' ? html`<span class="swatch" style="background: ${instead}"></span>` : nothing
+    }<button type="button" class="quiet add-colour" aria-label=${treeWords.addColour(spokenName(path))}
+      @click=${() => c.set(path, typeof instead === 'string' ? instead : FIRST_COLOUR)}>${valueText(path, null)}${icon('plus')}</button></span>`;
+  }
   const value = String(state.value);
   const typed = (event: Event): void => {
     const box = event.target as HTMLInputElement;
@@ -73,7 +92,12 @@ function colour(path: string, c: Context, state: State): TemplateResult {
     }
     c.set(path, `#${found.length === 3 ? [...found].map((x) => x + x).join('') : found}`.toLowerCase());
   };
-  return html`<span class="amounts wide colours"><input type="text" class="hex" id="${idOf(path)}-text" aria-label="${spokenName(path)}, ${treeWords.hex}"
+  return html`<span class="amounts wide colours">${
+    mayGo
+      ? html`<button type="button" class="round take-out" aria-label=${treeWords.takeOut(spokenName(path))} title=${valueText(path, null)}
+          @click=${() => c.set(path, null)}>${icon('close')}</button>`
+      : nothing
+  }<input type="text" class="hex" id="${idOf(path)}-text" aria-label="${spokenName(path)}, ${treeWords.hex}"
       spellcheck="false" autocomplete="off" maxlength="9" .value=${unlessTyping(value)} @change=${typed}><input type="color" data-drag id=${idOf(path)} aria-label=${spokenName(path)}
       .value=${live(value)} @input=${(e: Event) => c.set(path, (e.target as HTMLInputElement).value)}></span>`;
 }

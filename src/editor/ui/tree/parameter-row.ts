@@ -1,9 +1,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { guard } from 'lit/directives/guard.js';
-import { parametersOf } from '../../../core/grow/plan.ts';
 import { PLACES } from '../../../core/species/edits.ts';
 import type { NumberParameter } from '../../../core/species/parameter.ts';
-import type { LevelParameters, Species } from '../../../core/species/species.ts';
 import { treeWords } from '../../words/tree.ts';
 import { icon } from '../icons.ts';
 import { amount, slider } from '../number-field.ts';
@@ -11,6 +9,7 @@ import { type Context, idOf, labelOf, type State, spokenName, stateOf } from './
 import { otherControl } from './other-controls.ts';
 import { allowedText } from './popover-text.ts';
 import { pathsOfRow, type Row } from './sections.ts';
+import { standIn, standInText } from './stand-in.ts';
 import { numberText, unitOf, valueText } from './value-text.ts';
 
 /** A parameter, its variation beside it: drawn again only when something of it has changed. `again`: why it does nothing is said above. */
@@ -19,8 +18,8 @@ export function parameterRow(row: Row, c: Context, again = false): unknown {
   const seen = paths.flatMap((path) => {
     const { value, first, locked } = stateOf(c, path);
     const { min, max } = c.reach(path);
-    const whenAbsent =
-      value === null ? treeWords.levels[Math.min(c.species.tree.levels, 3)] + inheritedText(c, path) : '';
+    // What holds where it is absent is drawn, too.
+    const whenAbsent = value === null ? standInText(c.species, path) + String(standIn(c.species, path)) : '';
     return [String(value), whenAbsent, String(first), locked, c.why(path), min, max, c.wrong === path];
   });
   // What is drawn over the tree, or with the shape of another parameter, follows that, too.
@@ -28,13 +27,8 @@ export function parameterRow(row: Row, c: Context, again = false): unknown {
   const drawn = row.path === 'tree.crown' && stateOf(c, row.path).value !== null;
   const { baseSize } = c.species.tree;
   const behind = drawn ? [c.silhouette(), baseSize, c.species.levels[1]?.length] : [];
+  if (row.path === 'foliage.margin') behind.push(c.species.leaves.scaleX);
   return guard([row.path, again, ...seen, ...behind], () => draw(row, c, again));
-}
-
-/** What an absent value follows: it is drawn, too. */
-function inheritedText(c: Context, path: string): string {
-  const { parameter } = PLACES.get(path)!;
-  return parameter.kind === 'number' && !parameter.names ? String(inherited(c.species, parameter)) : '';
 }
 
 function draw(row: Row, c: Context, again: boolean): TemplateResult {
@@ -65,7 +59,7 @@ function draw(row: Row, c: Context, again: boolean): TemplateResult {
     }
     ${
       plain && state.value === null
-        ? html`<p class="why">${treeWords.inherited(treeWords.levels[Math.min(c.species.tree.levels, 3)]!)}</p>`
+        ? html`<p class="why">${standInText(c.species, path) || treeWords.unsaid}</p>`
         : nothing
     }
     ${wrong === undefined ? nothing : html`<p class="wrong-typed" role="alert">${allowedText(wrong)}</p>`}
@@ -105,14 +99,11 @@ export function heading(row: Row, c: Context, states: readonly State[]): Templat
       }`;
 }
 
-/** Whether a leaf has an angle of its own only where it is given (weber-penn.md, row 42). */
+/** Whether there is a value only where one is given: angles of leaves (weber-penn.md, row 42), what a season changes. */
 const isOwn = (parameter: NumberParameter): boolean => !!parameter.optional && parameter.default === undefined;
 
-/** What holds where a leaf's own angle is absent: that of the stems of the level after the last. */
-function inherited(species: Species, { key }: NumberParameter): number {
-  const value = parametersOf(species, species.tree.levels)[key as keyof LevelParameters];
-  return value ?? 0;
-}
+/** The number that holds where a value is absent. */
+const inherited = (c: Context, path: string): number => Number(standIn(c.species, path) ?? 0);
 
 const describedBy = (path: string, c: Context): { readonly describedBy?: string } =>
   c.why(path) === undefined ? {} : { describedBy: `${idOf(path)}-why` };
@@ -127,7 +118,7 @@ export function numberBox(path: string, c: Context, state: State): TemplateResul
     unit: unitOf(parameter),
     shown: typeof state.value === 'number' ? numberText(state.value, step) : '',
     ...(isOwn(parameter)
-      ? { placeholder: numberText(inherited(c.species, parameter), step), onEmptied: () => c.set(path, null) }
+      ? { placeholder: numberText(inherited(c, path), step), onEmptied: () => c.set(path, null) }
       : {}),
     min,
     max,
@@ -140,7 +131,7 @@ export function numberBox(path: string, c: Context, state: State): TemplateResul
 
 function numberSlider(path: string, c: Context, state: State, variation?: State): TemplateResult {
   const parameter = PLACES.get(path)!.parameter as NumberParameter;
-  const value = typeof state.value === 'number' ? state.value : inherited(c.species, parameter);
+  const value = typeof state.value === 'number' ? state.value : inherited(c, path);
   const band = variation && typeof variation.value === 'number' ? { band: variation.value } : {};
   return slider({
     id: idOf(path),

@@ -39,6 +39,7 @@ export type GroupId =
   | 'place'
   | 'curve'
   | 'splits'
+  | 'ridges'
   | 'foot'
   | 'amount'
   | 'blade'
@@ -74,11 +75,12 @@ const GROUPS_OF: Readonly<Record<string, readonly (readonly [GroupId, readonly s
     ['curve', ['curve', 'curveBack', 'curveRes', 'curveSideV', 'helixTurns']],
     ['splits', ['baseSplits', 'segSplits', 'splitAngle']],
     ['thickness', ['taper', 'scale']],
+    ['ridges', ['lobes', 'lobeDepth', 'tree.lobes', 'tree.lobeDepth']],
   ],
   leaves: [
     ['amount', ['leaves.count', 'leaves.quality']],
     ['blade', ['leaves.shape', 'leaves.scale', 'leaves.scaleX', 'leaves.petiole']],
-    ['stance', ['leaves.bend', 'leaves.downAngle', 'leaves.rotate']],
+    ['stance', ['leaves.bend', 'leaves.flat', 'leaves.downAngle', 'leaves.rotate']],
   ],
   pruning: [['envelope', ['pruning.ratio', 'pruning.width', 'pruning.widthPeak']]],
 };
@@ -105,7 +107,7 @@ function groupsOf(id: SectionId, level: number | undefined): RowGroup[] {
     return PLACES.has(variation) && varied(variation) === path ? { path, variation } : { path };
   };
   const listed: (readonly [GroupId, readonly string[]])[] = [...(GROUPS_OF[level === undefined ? id : 'levels'] ?? [])];
-  if (id === 'level-0') listed.push(['foot', FOOT]);
+  if (id === 'level-0') listed.push(['foot', ['tree.flare']]);
   if (listed.length === 0) return [{ group: 'all', rows: own.map(row) }];
   const named = listed.map(([group, keys]) => ({
     group,

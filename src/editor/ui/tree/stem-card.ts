@@ -1,12 +1,13 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from 'lit';
 import type { StemTable } from '../../../core/pack/stem-table.ts';
 import { stemName } from '../../actions-stem.ts';
+import { stemWords } from '../../words/stem.ts';
 import { treeWords } from '../../words/tree.ts';
 import { icon } from '../icons.ts';
 import { Part } from '../panel.ts';
 import { showPanel } from '../show-panel.ts';
 
-const words = treeWords.stem;
+const words = stemWords;
 const LAST_LEVEL = 3;
 
 /** Pixels from the pointer to the name of the stem under it. */

@@ -4,6 +4,7 @@ import { live } from 'lit/directives/live.js';
 import { editSpecies, type ParameterValue, PLACES, type SpeciesEdits } from '../../../core/species/edits.ts';
 import type { NumberParameter } from '../../../core/species/parameter.ts';
 import { LONGEST_NAME } from '../../../core/species/parse.ts';
+import { SEASONS } from '../../../core/species/season.ts';
 import type { Species } from '../../../core/species/species.ts';
 import { treeWords } from '../../words/tree.ts';
 import { choice, toggle } from '../choice.ts';
@@ -56,6 +57,7 @@ class TreePanel extends Part {
       doc.edits,
       doc.treeName,
       doc.wind.model,
+      doc.season,
       session.tree?.stems,
       session.tree?.base,
       session.level,
@@ -305,7 +307,7 @@ class TreePanel extends Part {
   }
 
   private groups(c: Context, section: Section): TemplateResult {
-    return html`${section.groups.map(
+    return html`${this.otherSeason(section)}${section.groups.map(
       ({ group, rows }) =>
         html`<div role="group" aria-label=${treeWords.groups[group] || treeWords.sections[section.id]}>${
           treeWords.groups[group] && section.groups.length > 1
@@ -313,6 +315,14 @@ class TreePanel extends Part {
             : nothing
         }${group === 'envelope' ? this.envelope(c) : nothing}${this.rows(c, rows)}</div>`,
     )}`;
+  }
+
+  /** What is set for a season is seen in it alone. */
+  private otherSeason({ id }: Section): TemplateResult | typeof nothing {
+    const season = SEASONS.find((each) => each === id);
+    if (season === undefined || season === this.doc.season) return nothing;
+    return html`<p class="note">${treeWords.seen(season)}
+      <button type="button" class="text" @click=${() => this.editor.actions.setSeason(season)}>${treeWords.showSeason(season)}</button></p>`;
   }
 
   /** A reason that stands under one row is not written under the next ones, too. */

@@ -1,7 +1,8 @@
 import { type ParameterValue, PLACES } from '../../../core/species/edits.ts';
 import type { Parameter } from '../../../core/species/parameter.ts';
-import { treeWords } from '../../words/tree.ts';
+import { valueWords } from '../../words/value.ts';
 import { digits } from '../number-field.ts';
+import { isOfSeason } from './stand-in.ts';
 
 /** Digits that a typed value may have beyond those of the step, as documents keep them. */
 const FINER = 2;
@@ -20,8 +21,11 @@ export const numberText = (value: number, step: number): string => digits(value,
 /** A value as a sentence has it: '60°', '13 m', 'conical', 'on'. */
 export function valueText(path: string, value: ParameterValue): string {
   const { parameter } = PLACES.get(path)!;
-  if (value === null) return path === 'foliage.outline' ? treeWords.noOutline : treeWords.absent;
-  if (typeof value === 'boolean') return value ? treeWords.yes : treeWords.no;
+  if (value === null) {
+    if (isOfSeason(path)) return valueWords.asSummer;
+    return path === 'foliage.outline' ? valueWords.noOutline : valueWords.absent;
+  }
+  if (typeof value === 'boolean') return value ? valueWords.yes : valueWords.no;
   if (typeof value === 'string') return value;
   if (typeof value !== 'number')
     return value.map((x) => numberText(x, 'step' in parameter ? parameter.step : 1)).join(', ');

@@ -1,0 +1,89 @@
+import { type Blade, coveringAs, flatBlade, LEAF_BEND, type LeafForm } from './blade.ts';
+import { LEAFLET, NEEDLE, OBOVATE } from './blade-outlines.ts';
+import type { LeafGrain } from './leaf-outline.ts';
+import { PAPER_OUTLINES } from './paper-outlines.ts';
+
+/** Base, turn in degrees and size of each of three leaflets. */
+const THREE = [
+  [0.38, 0, 0.62],
+  [0.3, 68, 0.52],
+  [0.3, -68, 0.52],
+] as const;
+
+/** Three leaflets, each as much wider than long as the species says. */
+export const TRIFOLIATE: LeafForm = {
+  name: 'three leaflets',
+  veins: 'pinnate',
+  stalk: 0.36,
+  blades: (width, grain) =>
+    THREE.map(([z, turn, size]) =>
+      flatBlade(PAPER_OUTLINES[5]![grain], [width * size, size], [0, z], turn, grain === 'near' ? 2 : 0),
+    ),
+};
+
+/** Leaflets droop a little from their rachis. */
+const DROOP = { ...LEAF_BEND, curl: 0.22 };
+
+const rachis = (): Blade => flatBlade(NEEDLE.far, [0.02, 0.86], [0, 0], 0, 0, { ...LEAF_BEND, fold: 0, arch: 0 });
+
+function feather(width: number, grain: 'near' | 'middle'): Blade[] {
+  const pairs = grain === 'near' ? 6 : 4;
+  const out: Blade[] = grain === 'near' ? [rachis()] : [];
+  const pitch = 0.8 / pairs;
+  const leaflet = LEAFLET[grain];
+  const ribs = grain === 'near' ? 1 : 0;
+  for (let i = 0; i < pairs; i++) {
+    const z = 0.1 + pitch * i;
+    // The longest stand below the middle; all lean forward.
+    const turn = 72 - 22 * (i / pairs);
+    const length = ((0.5 * width) / 0.92) * (0.86 + 0.14 * Math.sin(Math.PI * Math.min(1, 0.25 + i / pairs)));
+    const size = [Math.min(0.5 * length, 1.2 * pitch), length] as const;
+    for (const side of [-1, 1]) out.push(flatBlade(leaflet, size, [0, z], side * turn, ribs, DROOP));
+  }
+  const last = Math.min(0.3, 0.55 * width);
+  out.push(flatBlade(leaflet, [0.42 * last, last], [0, 1 - last], 0, ribs, DROOP));
+  return out;
+}
+
+/** A feather of 13 leaflets on a rachis: ash, walnut, rowan, a frond of fern. `width`: of the whole feather. */
+export const FEATHER: LeafForm = {
+  name: 'feather of leaflets',
+  veins: 'pinnate',
+  blades: (width, grain) => {
+    const near = feather(width, 'near');
+    if (grain === 'near') return near;
+    const coarse = grain === 'middle' ? feather(width, 'middle') : [flatBlade(LEAFLET.far, [width, 1], [0, 0], 0, 0)];
+    return coveringAs(near, coarse);
+  },
+};
+
+/** Turn in degrees and size of the leaflets of a hand. */
+const FINGERS = [
+  [0, 1],
+  [36, 0.96],
+  [-36, 0.96],
+  [74, 0.8],
+  [-74, 0.8],
+  [118, 0.56],
+  [-118, 0.56],
+] as const;
+
+function hand(width: number, grain: LeafGrain): Blade[] {
+  const fingers = grain === 'near' ? FINGERS : FINGERS.slice(0, grain === 'middle' ? 5 : 3);
+  const spread = grain === 'far' ? 1.7 : 1;
+  return fingers.map(([turn, size]) => {
+    const angle = (spread * turn * Math.PI) / 180;
+    // Of the whole hand, 1.2 wide as it stands, the species says the width: fingers reach as far across as that asks.
+    const reach = size * 0.72 * (1 + (width / 1.2 - 1) * Math.abs(Math.sin(angle)));
+    return flatBlade(OBOVATE[grain], [0.36 * reach, reach], [0, 0.28], spread * turn, grain === 'near' ? 1 : 0, DROOP);
+  });
+}
+
+/** A hand of seven leaflets: horse chestnut, buckeye. `width`: of the whole hand. */
+export const HAND: LeafForm = {
+  name: 'hand of leaflets',
+  veins: 'pinnate',
+  stalk: 0.3,
+  blades: (width, grain) =>
+    grain === 'near' ? hand(width, grain) : coveringAs(hand(width, 'near'), hand(width, grain)),
+};

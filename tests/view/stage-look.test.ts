@@ -1,0 +1,55 @@
+import { describe, expect, it } from 'vitest';
+import { STAGES } from '../../src/core/link/document.ts';
+import { sunAt, sunTint } from '../../src/core/look/sky-model.ts';
+import { lookAt, type StageLook } from '../../src/view/stage-look.ts';
+
+/** Every number of a look but the directions, which turn to the moon's while nothing shines. */
+const numbers = (look: StageLook): number[] =>
+  Object.entries(look)
+    .filter(([key]) => !/direction|disc|^sun$/i.test(key))
+    .flatMap(([, value]) => [value].flat(3) as number[]);
+
+describe('the sun of a summer day', () => {
+  it('stands in the south and highest at noon, rises in the north-east and goes down in the north-west', () => {
+    expect(sunAt(12).azimuth).toBeCloseTo(180, 6);
+    expect(sunAt(12).elevation).toBeCloseTo(90 - 47 + 22, 6);
+    expect(sunAt(0).elevation).toBeCloseTo(-(90 - 47 - 22), 6);
+    expect(sunAt(24).elevation).toBeCloseTo(sunAt(0).elevation, 6);
+    const [morning, evening] = [sunAt(4.2), sunAt(19.8)];
+    expect(Math.abs(morning.elevation)).toBeLessThan(2);
+    expect(morning.azimuth).toBeGreaterThan(45);
+    expect(morning.azimuth).toBeLessThan(75);
+    expect(evening.azimuth).toBeCloseTo(360 - morning.azimuth, 6);
+  });
+
+  it('is white high up and amber low down', () => {
+    const [, green, blue] = sunTint(4);
+    expect(blue).toBeLessThan(0.3);
+    expect(green).toBeGreaterThan(2 * blue);
+    expect(Math.min(...sunTint(65))).toBeGreaterThan(0.8);
+  });
+});
+
+describe.each(STAGES)('the look of %s', (stage) => {
+  it('follows the hour without a jump, and what throws shadows turns only while nothing shines', () => {
+    for (let hour = 0; hour < 24; hour += 0.05) {
+      const [a, b] = [lookAt(stage, hour, false), lookAt(stage, hour + 0.05, false)];
+      const [from, to] = [numbers(a), numbers(b)];
+      expect(Math.max(...from.map((x, i) => Math.abs(x - to[i]!)))).toBeLessThan(0.5);
+      const turned = Math.hypot(...a.direction.map((x, i) => x - b.direction[i]!));
+      if (turned > 0.06) expect(Math.max(a.sunIntensity, b.sunIntensity)).toBeLessThan(0.15);
+    }
+  });
+
+  it('lights the default view from the side, and leaves no colour of the sky beyond the screen', () => {
+    for (const dark of [false, true]) {
+      const { direction, zenith, middle, horizon, cloud } = lookAt(stage, null, dark);
+      expect(Math.hypot(...direction)).toBeCloseTo(1, 6);
+      expect(Math.abs(direction[0])).toBeGreaterThan(0.45);
+      for (const part of [zenith, middle, horizon, cloud].flat()) {
+        expect(part).toBeGreaterThanOrEqual(0);
+        expect(part).toBeLessThanOrEqual(1);
+      }
+    }
+  });
+});
