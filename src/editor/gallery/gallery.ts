@@ -70,7 +70,7 @@ class Gallery extends Part {
     } else if (before === null && speciesPage !== null) this.live?.stop();
     this.live?.follow(this);
     // Its page comes behind all species, or when it is asked for.
-    if (this.session.tree || speciesPage !== null) void this.loadPage();
+    if (this.session.panels || speciesPage !== null) void this.loadPage();
   }
 
   private async loadPage(): Promise<void> {

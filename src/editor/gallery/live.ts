@@ -53,11 +53,11 @@ export class Live {
     this.#changed();
   }
 
-  /** Draws on the canvas that `place` has for the wish, once it is there and the first tree of the page has been drawn. */
+  /** Draws on the canvas that `place` has for the wish, once it is there and the first tree of the page has been drawn, panels and all. */
   follow(place: Element): void {
     const wish = this.#wish;
     const canvas = place.querySelector<HTMLCanvasElement>('canvas.glimpse');
-    if (!wish || !canvas || canvas === this.#canvas || !this.#editor.session.getState().tree) return;
+    if (!wish || !canvas || canvas === this.#canvas || !this.#editor.session.getState().panels) return;
     this.#canvas = canvas;
     void this.#show(canvas, wish.entry, wish.season);
   }
