@@ -70,6 +70,8 @@ test('a portrait moves under the pointer, and the tree behind waits; closing lea
   page,
 }) => {
   await open(page, BARE);
+  // The address is written a little after the picture.
+  await expect(page).toHaveURL(/#s=quaking-aspen&seed=3/);
   const before = page.url();
   await page.keyboard.press('p');
   const cactus = card(page, /Saguaro/);

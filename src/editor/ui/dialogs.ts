@@ -59,7 +59,7 @@ class Dialogs extends Part {
   private filled(name: Framed): TemplateResult {
     const made = this.made.get(name);
     return html`<div class="dialog-page">
-      <header><h2 id="dialog-title">${dialogWords.headings[name]}</h2>
+      <header role="presentation"><h2 id="dialog-title">${dialogWords.headings[name]}</h2>
         <button type="button" class="round" aria-label=${dialogWords.close} @click=${() => this.close()}>${icon('close')}</button></header>
       <div class="dialog-body">${made ?? this.waiting(name)}</div></div>`;
   }
