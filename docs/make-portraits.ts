@@ -2,7 +2,7 @@
 // picture of each season that differs, on the meadow. A species' best seed stands as `seed` in public/species/index.json; 1 where there is none.
 import { existsSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import type { IndexEntry } from '../src/core/file/shipped-index.ts';
+import { type IndexEntry, seedOf } from '../src/core/file/shipped-index.ts';
 import { SEASONS, type Season } from '../src/core/species/season.ts';
 import { shippedFacts } from '../src/core/species/shipped-facts.ts';
 import { withPage } from './picture-browser.ts';
@@ -60,7 +60,7 @@ await withPage({ width: 900, height: 700 }, async (page, address) => {
       const { width, height, bytes } = size;
       const job: SpeciesJob = {
         text,
-        seed: entry.seed ?? 1,
+        seed: seedOf(entry),
         season,
         stage: 'meadow',
         hour: null,

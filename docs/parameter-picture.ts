@@ -7,6 +7,7 @@ import { STILL } from '../src/core/wind/wind.ts';
 import { type GrownTree, growTree } from '../src/view/picture/grow-tree.ts';
 import { openPicture } from '../src/view/picture/open-picture.ts';
 import { PARAMETER_PICTURES, type ParameterPicture, placeOf } from './parameter-pictures.ts';
+import { type Point, sprayOf } from './spray-place.ts';
 import { textOf } from './tree-page.ts';
 
 /** Pixels: twice what the help shows; drawn twice as large again, which smooths twigs. */
@@ -28,7 +29,8 @@ picture.setDark(false);
 /** Stems without leaves are thin and pale from afar: what every bare tree gets on top. */
 const BARE: SpeciesEdits = { 'tree.ratio': 0.028, 'bark.colour': '#5d4a3a', 'bark.dark': '#2c221b' };
 
-type Point = readonly [number, number, number];
+/** Direction of the camera about the trunk. */
+const TOWARDS = [0.5, -0.87] as const;
 
 /** Tree space, z up, as the camera has it, y up. */
 const upright = ([x, y, z]: Point): Point => [x, z, -y];
@@ -50,24 +52,6 @@ function boxOf(trees: readonly GrownTree[]): Float32Array {
   return box;
 }
 
-/** The end of a stem of the last level half way up that points to the camera: in front of the crown. */
-function sprayOf({ stems, packed }: GrownTree): Point {
-  const [, , low, , , high] = packed.bounds as unknown as number[];
-  const middle = low! + 0.6 * (high! - low!);
-  let best = -Infinity;
-  let found: Point = [0, 0, middle];
-  const last = stems.countOfLevel.length - 1;
-  for (let i = 0; i < stems.count; i++) {
-    if (stems.level[i] !== last) continue;
-    const [x, y, z] = stems.tip.subarray(3 * i, 3 * i + 3) as unknown as [number, number, number];
-    const towards = 0.5 * x - 0.87 * y - 0.6 * Math.abs(z - middle);
-    if (towards <= best) continue;
-    best = towards;
-    found = [x, y, z];
-  }
-  return found;
-}
-
 /** Where a pair is seen from: the same place for both. */
 function cameraOf({ view }: ParameterPicture, trees: readonly GrownTree[]): CameraPose {
   const [x0, y0, , x1, y1, top] = boxOf(trees) as unknown as [number, number, number, number, number, number];
@@ -87,9 +71,9 @@ function cameraOf({ view }: ParameterPicture, trees: readonly GrownTree[]): Came
     case 'limb':
       return at([0.1 * wide, 0, 0.5 * top], 0.3 * top);
     case 'spray':
-      return at(sprayOf(trees[0]!), 1.1);
+      return at(sprayOf(trees[0]!, TOWARDS), 1.1);
     case 'leaf':
-      return at(sprayOf(trees[0]!), 0.42);
+      return at(sprayOf(trees[0]!, TOWARDS), 0.42);
   }
 }
 

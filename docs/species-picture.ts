@@ -7,6 +7,7 @@ import { inSeason, type Season } from '../src/core/species/season.ts';
 import { STILL } from '../src/core/wind/wind.ts';
 import { CaptureStage, type Viewpoint } from '../src/view/picture/capture-stage.ts';
 import { type GrownTree, growTree } from '../src/view/picture/grow-tree.ts';
+import { type Point, sprayOf } from './spray-place.ts';
 
 /** `whole`: as the editor frames it; `close`: as close as the tree allows; `far`: 60 pixels high; the others show parts of it. */
 export type SpeciesView = 'whole' | 'close' | 'far' | 'crown' | 'spray' | 'bark' | 'foot';
@@ -31,8 +32,6 @@ export interface SpeciesJob {
 /** Tangent of half the camera's vertical field of view. */
 const HALF = Math.tan((15 * Math.PI) / 180);
 
-type Point = readonly [number, number, number];
-
 /** A camera that sees `height` metres around a point of tree space (z up). */
 const at = ([x, y, z]: Point, height: number, elevation: number, azimuth = 11): CameraPose => ({
   azimuth,
@@ -40,24 +39,6 @@ const at = ([x, y, z]: Point, height: number, elevation: number, azimuth = 11): 
   distance: height / 2 / HALF,
   target: [x, z, -y],
 });
-
-/** The tip of a twig of the outer crown that points to the camera. */
-function sprayOf({ stems, packed }: GrownTree): Point {
-  const [, , low, , , high] = packed.bounds as unknown as number[];
-  const middle = low! + 0.6 * (high! - low!);
-  let best = -Infinity;
-  let found: Point = [0, 0, middle];
-  const last = stems.countOfLevel.length - 1;
-  for (let i = 0; i < stems.count; i++) {
-    if (stems.level[i] !== last) continue;
-    const [x, y, z] = stems.tip.subarray(3 * i, 3 * i + 3) as unknown as [number, number, number];
-    const towards = 0.2 * x - y - 0.6 * Math.abs(z - middle);
-    if (towards <= best) continue;
-    best = towards;
-    found = [x, y, z];
-  }
-  return found;
-}
 
 function viewOf(view: SpeciesView, tree: GrownTree, pixels: number): Viewpoint {
   const [x0, y0, , x1, y1, top] = tree.packed.bounds as unknown as [number, number, number, number, number, number];
@@ -73,7 +54,7 @@ function viewOf(view: SpeciesView, tree: GrownTree, pixels: number): Viewpoint {
     case 'crown':
       return placed(at([middle[0], middle[1], 0.62 * top], 0.4 * Math.max(top, 0.6 * wide), 2));
     case 'spray':
-      return placed(at(sprayOf(tree), Math.min(1.2, 0.5 * top), 2));
+      return placed(at(sprayOf(tree, [0.2, -1]), Math.min(1.2, 0.5 * top), 2));
     case 'bark':
       return placed(at([0, 0, Math.min(1.3, 0.3 * top)], Math.min(0.9, 0.4 * top), 2));
     case 'foot':

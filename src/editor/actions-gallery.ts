@@ -1,11 +1,9 @@
+import { seedOf } from '../core/file/shipped-index.ts';
 import type { Season } from '../core/species/season.ts';
 import type { Doing } from './doing.ts';
 import { embedSnippet } from './embed-snippet.ts';
 import type { SpeciesEntry } from './session.ts';
 import { fileWords } from './words/files.ts';
-
-/** Seed of the pictures of a species for which the list says none. */
-const SEED = 1;
 
 /** What a reader can do in the gallery. */
 export function galleryActions(
@@ -18,25 +16,25 @@ export function galleryActions(
     /** Turns to the page of a species in the open gallery, or back to all. */
     showSpeciesPage: (speciesPage: string | null) => session.setState({ speciesPage }),
     /** Grows a species as its picture shows it, and closes the gallery. */
-    takeSpecies({ id, seed = SEED }: SpeciesEntry, season: Season): void {
-      setSpecies(id);
-      set({ seed, season });
+    takeSpecies(entry: SpeciesEntry, season: Season): void {
+      setSpecies(entry.id);
+      set({ seed: seedOf(entry), season });
       session.setState({ dialog: null });
     },
     /** Copies what shows a species in another page; the snippet where the browser does not let it, else null. */
-    async copySpeciesEmbed({ id, name, seed = SEED }: SpeciesEntry, season: Season): Promise<string | null> {
+    async copySpeciesEmbed(entry: SpeciesEntry, season: Season): Promise<string | null> {
       const tree = {
-        species: id,
+        species: entry.id,
         ownSpecies: null,
         treeName: null,
         edits: {},
-        seed,
+        seed: seedOf(entry),
         season,
         probe: null,
         camera: null,
       };
       const address = services.addressOf({ ...services.now(), ...tree }, true);
-      const snippet = embedSnippet(address, fileWords.embedTitle(name));
+      const snippet = embedSnippet(address, fileWords.embedTitle(entry.name));
       return services.copy(snippet).then(
         () => null,
         () => snippet,

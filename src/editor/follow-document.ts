@@ -36,13 +36,14 @@ export function followDocument(
 ): () => void {
   const overlays = (): void => {
     const { overlays, probe } = document.getState();
-    const { highlight, throwing, handling, stem, hoveredStem, envelopeShown, channel, tree } = session.getState();
+    const { highlight, throwing, handling, stem, hoveredStem, envelopeShown, channel, tree, photo } =
+      session.getState();
     const { open, place } = studio.store.getState();
     // Whoever looks at the studio sees what it listens to, chosen or not.
     const shown = open && place ? place.piece : probe;
     const envelope = envelopeShown && tree ? tree.species.pruning : null;
     // A photograph shows what blows, not what it is held by.
-    const handle = overlays.handle && !session.getState().photo;
+    const handle = overlays.handle && !photo;
     const inScene = { handle, stem, hoveredStem, handles: stem !== null, envelope, channel };
     picture.setOverlays({ ...overlays, ...inScene, probe: shown, highlight, throwing, handling });
   };

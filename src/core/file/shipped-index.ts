@@ -20,6 +20,9 @@ export interface IndexEntry extends Partial<ShippedFacts> {
   readonly seed?: number;
 }
 
+/** The seed of the pictures of a species: 1 where the list names none. */
+export const seedOf = ({ seed = 1 }: IndexEntry): number => seed;
+
 const ID = /^[a-z0-9]+(-[a-z0-9]+)*$/;
 const FILE = /^[\w-][\w.-]*$/;
 const PICTURE = /^([\w-]+\/)?[\w-][\w.-]*$/;

@@ -3,22 +3,37 @@ import type { FoliageLook, OrganLook, SeasonLook, Species } from './species.ts';
 export const SEASONS = ['spring', 'summer', 'autumn', 'winter'] as const;
 export type Season = (typeof SEASONS)[number];
 
-/** The value of a season where it has one, else that of summer; a key that neither has stays absent. */
-function changed(foliage: FoliageLook, { cover, colour, second, secondShare, under, glow }: SeasonLook): FoliageLook {
-  const said = Object.entries({ cover, colour, second, secondShare, under, glow }).filter(
-    ([, value]) => value !== undefined,
-  );
-  return said.length === 0 ? foliage : { ...foliage, ...Object.fromEntries(said) };
+/** Is this the path of what a season says, such as `autumn.colour`? */
+export const isOfSeason = (path: string): boolean => /^(spring|autumn|winter)\./.test(path);
+
+/** What a season may say, and the value of summer that it replaces there. */
+const OF_FOLIAGE: Readonly<Partial<Record<keyof SeasonLook, keyof FoliageLook>>> = {
+  cover: 'cover',
+  colour: 'colour',
+  second: 'second',
+  secondShare: 'secondShare',
+  under: 'under',
+  glow: 'glow',
+};
+const OF_ORGAN: Readonly<Partial<Record<keyof SeasonLook, keyof OrganLook>>> = {
+  organ: 'kind',
+  organShare: 'share',
+  organSize: 'size',
+  organColour: 'colour',
+};
+
+/** The path of the value of summer that `key` of a season replaces: `organ.kind` for `organ`, `foliage.cover` for `cover`. */
+export function summerPath(key: string): string {
+  const organ = OF_ORGAN[key as keyof SeasonLook];
+  return organ ? `organ.${organ}` : `foliage.${OF_FOLIAGE[key as keyof SeasonLook] ?? key}`;
 }
 
-function bearing(organ: OrganLook, { organ: kind, organShare, organSize, organColour }: SeasonLook): OrganLook {
-  return {
-    ...organ,
-    kind: kind ?? organ.kind,
-    share: organShare ?? organ.share,
-    size: organSize ?? organ.size,
-    colour: organColour ?? organ.colour,
-  };
+/** `look` with what a season says of it in place of its own; the same object where that is nothing. */
+function dressed<Look extends object>(look: Look, season: SeasonLook, places: Partial<Record<string, string>>): Look {
+  const said = Object.entries(season).filter(([key, value]) => value !== undefined && places[key] !== undefined);
+  return said.length === 0
+    ? look
+    : { ...look, ...Object.fromEntries(said.map(([key, value]) => [places[key], value])) };
 }
 
 /**
@@ -29,9 +44,13 @@ export function inSeason(species: Species, season: Season): Species {
   if (season === 'summer') return species;
   const look = species[season];
   if (Object.keys(look).length === 0) return species;
-  return { ...species, foliage: changed(species.foliage, look), organ: bearing(species.organ, look) };
+  return {
+    ...species,
+    foliage: dressed(species.foliage, look, OF_FOLIAGE),
+    organ: dressed(species.organ, look, OF_ORGAN),
+  };
 }
 
-/** Whether any season but summer changes how the species looks. */
-export const hasSeasons = ({ spring, autumn, winter }: Species): boolean =>
-  [spring, autumn, winter].some((look) => Object.keys(look).length > 0);
+/** The seasons in which a species looks otherwise than in summer. */
+export const ownSeasons = (species: Species): Season[] =>
+  SEASONS.filter((season) => season !== 'summer' && Object.keys(species[season]).length > 0);

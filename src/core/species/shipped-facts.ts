@@ -1,4 +1,4 @@
-import { SEASONS, type Season } from './season.ts';
+import { ownSeasons, type Season } from './season.ts';
 import type { Range, Species, SpeciesKind } from './species.ts';
 
 /** What the list of the species that ship says of one, so that a gallery need not read every file. */
@@ -13,6 +13,5 @@ export interface ShippedFacts {
 /** What the list says of a species: its file is what counts. */
 export function shippedFacts(species: Species): ShippedFacts {
   const { facts } = species;
-  const seasons = SEASONS.filter((season) => season !== 'summer' && Object.keys(species[season]).length > 0);
-  return { ...(facts ? { kind: facts.kind, height: facts.height } : {}), seasons };
+  return { ...(facts ? { kind: facts.kind, height: facts.height } : {}), seasons: ownSeasons(species) };
 }

@@ -32,9 +32,9 @@ export type Row = ExportParameter | PictureParameter;
 export function rowsOf(kind: Kind, choices: Readonly<Record<string, unknown>>): readonly Row[] {
   if (isPicture(kind)) return PICTURE_PARAMETERS.filter((row) => row.kinds.includes(kind));
   if (!isFormat(kind)) return [];
-  // The season is that of the picture.
   const clipped = new Set(['boneLevels', 'start', 'seconds', 'rate']);
   const noLeaves = choices.leaves === 'none';
+  // No row for the season: it is that of the picture.
   return exportParametersOf(kind).filter(
     ({ key }) =>
       key !== 'season' && (choices.clip === true || !clipped.has(key)) && !(noLeaves && key === 'mostLeaves'),

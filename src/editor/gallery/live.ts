@@ -1,3 +1,4 @@
+import { seedOf } from '../../core/file/shipped-index.ts';
 import type { Season } from '../../core/species/season.ts';
 import { STILL } from '../../core/wind/wind.ts';
 import type { Glimpse } from '../../view/picture/glimpse.ts';
@@ -5,9 +6,6 @@ import type { Editor } from '../editor.ts';
 import type { SpeciesEntry } from '../session.ts';
 import { loadSpecies } from '../species-source.ts';
 import { firstWind } from '../winds-source.ts';
-
-/** Seed of the pictures of a species for which the list says none. */
-const SEED = 1;
 
 /** The one portrait that moves: what is pointed at, on the canvas that the page then has for it. */
 export class Live {
@@ -77,7 +75,7 @@ export class Live {
       const { Glimpse } = await import('../../view/picture/glimpse.ts');
       if (canvas !== this.#canvas) return;
       this.#glimpse ??= new Glimpse();
-      await this.#glimpse.show(canvas, { species, seed: entry.seed ?? SEED, season, wind }, () => {
+      await this.#glimpse.show(canvas, { species, seed: seedOf(entry), season, wind }, () => {
         canvas.dataset.live = '';
       });
     } catch {

@@ -52,6 +52,8 @@ export class DrawnPicture implements Picture {
   private time = 0;
   private grown: GrownTree | null = null;
   private species: Species | null = null;
+  /** The same as it looks in the season. */
+  private dressed: Species | null = null;
   private season: Season = 'summer';
   private pose: Float32Array = new Float32Array(0);
   private shown: Show = { levelsShown: Number.POSITIVE_INFINITY, showLeaves: true, view: 'shaded' };
@@ -85,6 +87,7 @@ export class DrawnPicture implements Picture {
   setTree(grown: GrownTree, species: Species): void {
     this.grown = grown;
     this.species = species;
+    this.dressed = inSeason(species, this.season);
     const textures = new TreeTextures(grown.packed, false); // no GPU sees them: the pose is in `cpuPose`
     this.poser = new CpuPoser(textures);
     this.pose = textures.cpuPose ?? grown.packed.restPose.data;
@@ -110,6 +113,7 @@ export class DrawnPicture implements Picture {
 
   setSeason(season: Season): void {
     this.season = season;
+    this.dressed = this.species && inSeason(this.species, season);
   }
 
   /** A drawing has one light. */
@@ -130,13 +134,13 @@ export class DrawnPicture implements Picture {
   draw(time: number): FrameFigures {
     const start = performance.now();
     const context = this.canvas.getContext('2d');
-    if (!this.grown || !this.species || !this.poser || !context) return NOTHING;
+    if (!this.grown || !this.dressed || !this.poser || !context) return NOTHING;
     const { packed } = this.grown;
     this.time = time;
     this.poser.update(null, time, this.felt);
     const posed = performance.now();
     const { levelsShown, showLeaves } = this.shown;
-    drawStillPicture(context, this.eye, packed, inSeason(this.species, this.season), {
+    drawStillPicture(context, this.eye, packed, this.dressed, {
       dark: this.dark,
       levels: levelsShown,
       leaves: showLeaves && levelsShown >= packed.levels.length,

@@ -1,5 +1,5 @@
 import { sameValue, valueAt } from '../../../core/species/edits.ts';
-import { inSeason, type Season } from '../../../core/species/season.ts';
+import { inSeason, type Season, summerPath } from '../../../core/species/season.ts';
 import type { Species } from '../../../core/species/species.ts';
 
 /** Why a parameter of the look does nothing. */
@@ -37,13 +37,6 @@ export function ofOrgan(species: Species, key: string): WhyLook | undefined {
   return key !== 'kind' && throughYear(species).every(({ organ }) => organ.kind === 'none') ? 'noOrgan' : undefined;
 }
 
-const OF_SUMMER: Readonly<Record<string, string>> = {
-  organ: 'organ.kind',
-  organShare: 'organ.share',
-  organSize: 'organ.size',
-  organColour: 'organ.colour',
-};
-
 /** Of what a season changes. */
 export function ofSeason(species: Species, season: Season, key: string): WhyLook | undefined {
   const { foliage, organ } = inSeason(species, season);
@@ -53,6 +46,5 @@ export function ofSeason(species: Species, season: Season, key: string): WhyLook
   if (key !== 'cover' && !key.startsWith('organ') && foliage.cover === 0) return 'noCover';
   if (key === 'second' && foliage.secondShare === 0) return 'noneTurned';
   if (key === 'secondShare' && foliage.second === undefined) return 'noSecond';
-  const summer = OF_SUMMER[key] ?? `foliage.${key}`;
-  return value !== null && sameValue(value, valueAt(species, summer)) ? 'asSummer' : undefined;
+  return value !== null && sameValue(value, valueAt(species, summerPath(key))) ? 'asSummer' : undefined;
 }

@@ -1,8 +1,8 @@
 import { type ParameterValue, PLACES } from '../../../core/species/edits.ts';
 import type { Parameter } from '../../../core/species/parameter.ts';
+import { isOfSeason } from '../../../core/species/season.ts';
 import { valueWords } from '../../words/value.ts';
 import { digits } from '../number-field.ts';
-import { isOfSeason } from './stand-in.ts';
 
 /** Digits that a typed value may have beyond those of the step, as documents keep them. */
 const FINER = 2;
