@@ -37,7 +37,17 @@ interface Scene {
   readonly phone?: true;
 }
 
+/** Waits until every picture in sight is there. */
+const pictured = (page: Page) =>
+  page.waitForFunction(() =>
+    [...document.querySelectorAll<HTMLImageElement>('dialog[open] img')]
+      .filter((img) => img.checkVisibility() && img.getBoundingClientRect().top < innerHeight)
+      .every((img) => img.complete),
+  );
+
 const scenes: Readonly<Record<string, Scene>> = {
+  gallery: { link: 'gallery', act: pictured },
+  species: { link: 'gallery=sugar-maple', act: pictured },
   first: { link: MOMENT, act: async () => undefined },
   tour: {
     link: MOMENT,
@@ -111,6 +121,13 @@ const scenes: Readonly<Record<string, Scene>> = {
     act: async (page) => {
       await page.keyboard.press('Control+k');
       await page.getByRole('combobox').fill('curve limbs');
+    },
+  },
+  photo: {
+    link: `${MOMENT}&s=silver-birch&stage=golden`,
+    act: async (page) => {
+      await page.keyboard.press('v');
+      await page.getByRole('button', { name: 'Take the picture' }).waitFor();
     },
   },
   phone: { link: MOMENT, act: async () => undefined, phone: true },

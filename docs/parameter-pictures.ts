@@ -154,8 +154,8 @@ export const PARAMETER_PICTURES: readonly ParameterPicture[] = [
   pair('levels.rotate', -90, 140, 'above', { ...ASPEN, ...LIMBS, edits: { 'tree.ratio': 0.03 } }),
   pair('levels.rotateV', 0, 60, 'above', { ...ASPEN, ...LIMBS, edits: { 'levels.1.rotate': 180, 'tree.ratio': 0.03 } }),
   pair('levels.branches', 12, 80, 'whole', { ...ASPEN, ...LIMBS }),
-  pair('levels.lobes', 4, 14, 'whole', { ...CACTUS, level: 1, edits: { 'levels.1.lobeDepth': 0.3 } }),
-  pair('levels.lobeDepth', 0, 0.4, 'whole', { ...CACTUS, level: 1, edits: { 'levels.1.lobes': 8 } }),
+  pair('levels.lobes', 4, 14, 'trunk', { ...CACTUS, level: 1, edits: { 'levels.1.lobeDepth': 0.3 } }),
+  pair('levels.lobeDepth', 0, 0.4, 'trunk', { ...CACTUS, level: 1, edits: { 'levels.1.lobes': 8 } }),
 
   pair('leaves.count', 6, 50, 'whole', { ...ASPEN, leaves: true }),
   pair('leaves.shape', 0, 4, 'leaf', { ...ASPEN, leaves: true, edits: { 'foliage.outline': null } }),
@@ -221,17 +221,25 @@ export const PARAMETER_PICTURES: readonly ParameterPicture[] = [
   pair('foliage.veins', 0, 1, 'leaf', { ...ASPEN, leaves: true }),
   pair('foliage.cover', 0.2, 1, 'whole', { ...ASPEN, leaves: true }),
 
-  pair('organ.kind', 'blossom', 'fruit', 'spray', { ...CHERRY, leaves: true, edits: { 'organ.share': 0.4 } }),
-  pair('organ.share', 0.1, 0.8, 'spray', { ...CHERRY, leaves: true, edits: { 'organ.kind': 'blossom' } }),
-  pair('organ.size', 0.015, 0.05, 'spray', {
+  pair('organ.kind', 'blossom', 'fruit', 'leaf', {
     ...CHERRY,
     leaves: true,
-    edits: { 'organ.kind': 'fruit', 'organ.share': 0.4 },
+    edits: { 'organ.share': 0.6, 'foliage.cover': 0.4 },
   }),
-  pair('organ.colour', '#f4e3e6', '#c4203a', 'spray', {
+  pair('organ.share', 0.1, 0.8, 'leaf', {
     ...CHERRY,
     leaves: true,
-    edits: { 'organ.kind': 'fruit', 'organ.share': 0.4 },
+    edits: { 'organ.kind': 'blossom', 'foliage.cover': 0.4 },
+  }),
+  pair('organ.size', 0.015, 0.05, 'leaf', {
+    ...CHERRY,
+    leaves: true,
+    edits: { 'organ.kind': 'fruit', 'organ.share': 0.6, 'foliage.cover': 0.4 },
+  }),
+  pair('organ.colour', '#f4e3e6', '#c4203a', 'leaf', {
+    ...CHERRY,
+    leaves: true,
+    edits: { 'organ.kind': 'fruit', 'organ.share': 0.6, 'foliage.cover': 0.4 },
   }),
   pair('organ.second', '#e8c33a', '#6d2a3c', 'leaf', {
     ...CHERRY,
@@ -254,25 +262,25 @@ export const PARAMETER_PICTURES: readonly ParameterPicture[] = [
   }),
   pair('autumn.under', '#6f6a2c', '#e5c98a', 'leaf', { ...MAPLE, leaves: true }),
   pair('autumn.glow', '#8a5a1c', '#ffd34a', 'spray', { ...MAPLE, leaves: true }),
-  pair('autumn.organ', 'none', 'fruit', 'spray', {
+  pair('autumn.organ', 'none', 'fruit', 'leaf', {
     ...CHERRY,
     leaves: true,
-    edits: { 'autumn.cover': 1, 'autumn.organShare': 0.4, 'autumn.organColour': '#8e1430' },
+    edits: { 'autumn.cover': 0.4, 'autumn.organShare': 0.6, 'autumn.organColour': '#8e1430' },
   }),
-  pair('autumn.organShare', 0.1, 0.8, 'spray', {
+  pair('autumn.organShare', 0.1, 0.8, 'leaf', {
     ...CHERRY,
     leaves: true,
-    edits: { 'autumn.cover': 1, 'autumn.organ': 'fruit', 'autumn.organColour': '#8e1430' },
+    edits: { 'autumn.cover': 0.4, 'autumn.organ': 'fruit', 'autumn.organColour': '#8e1430' },
   }),
-  pair('autumn.organSize', 0.012, 0.045, 'spray', {
+  pair('autumn.organSize', 0.012, 0.045, 'leaf', {
     ...CHERRY,
     leaves: true,
-    edits: { 'autumn.cover': 1, 'autumn.organ': 'fruit', 'autumn.organShare': 0.4, 'autumn.organColour': '#8e1430' },
+    edits: { 'autumn.cover': 0.4, 'autumn.organ': 'fruit', 'autumn.organShare': 0.6, 'autumn.organColour': '#8e1430' },
   }),
-  pair('autumn.organColour', '#e0a52c', '#8e1430', 'spray', {
+  pair('autumn.organColour', '#e0a52c', '#8e1430', 'leaf', {
     ...CHERRY,
     leaves: true,
-    edits: { 'autumn.cover': 1, 'autumn.organ': 'fruit', 'autumn.organShare': 0.4 },
+    edits: { 'autumn.cover': 0.4, 'autumn.organ': 'fruit', 'autumn.organShare': 0.6 },
   }),
 ];
 
