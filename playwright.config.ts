@@ -33,7 +33,7 @@ export default defineConfig({
   retries: 0,
   forbidOnly: Boolean(process.env.CI),
   timeout: 120_000,
-  globalTimeout: 22 * 60_000,
+  globalTimeout: 25 * 60_000,
   expect: { timeout: 30_000 },
   reporter: 'list',
   use: {

@@ -2,7 +2,7 @@ import { resolve } from 'node:path';
 import { defineConfig } from 'vite';
 import { shaders } from './vite.glsl.ts';
 
-/** Pages that ship; each is an entry of the build. The pages of the browser tests are built beside them: vite.pages.config.ts. */
+/** Pages that ship and are built together; vite.further.config.ts has the others, vite.pages.config.ts those of the browser tests. */
 const pages = ['index.html', 'crosscheck.html'];
 
 /** The browser tests build into a folder of their own (playwright.config.ts). */

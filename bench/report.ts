@@ -22,13 +22,14 @@ export interface FailedReport {
 }
 
 /** A number with three figures that count, a text as it is. */
-function cell(value: string | number): string {
+export function cell(value: string | number): string {
   if (typeof value === 'string') return value.replaceAll('|', '\\|');
   if (Number.isInteger(value)) return String(value).replace(/\B(?=(\d{3})+$)/g, ' ');
   return value >= 100 ? value.toFixed(0) : value.toPrecision(3);
 }
 
-function tableText({ caption, columns, rows }: Table): string {
+/** A table as Markdown, under its caption. */
+export function tableText({ caption, columns, rows }: Table): string {
   const line = (cells: readonly string[]): string => `| ${cells.join(' | ')} |`;
   const rule = columns.map((_, i) => (rows.every((row) => typeof row[i] === 'number') ? '--:' : '---'));
   return [`**${caption}**`, '', line(columns), line(rule), ...rows.map((row) => line(row.map(cell)))].join('\n');

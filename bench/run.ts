@@ -24,6 +24,7 @@ const benches: readonly { name: string; file: string; query?: string }[] = [
   { name: 'deform', file: 'deform.html' },
   { name: 'edit', file: 'edit.html' },
   { name: 'compare', file: 'compare-ez-tree.html', query: '?measure' },
+  { name: 'forest', file: '../bench.html', query: '?run&rounds=3&ms=200' },
 ];
 
 const head = `# Results
@@ -64,7 +65,7 @@ async function runPage(browser: Browser, url: string): Promise<BenchReport | Fai
   try {
     await page.goto(url);
     const done = await page.waitForFunction(() => document.querySelector('#report')?.textContent?.trim(), null, {
-      timeout: 15 * 60_000,
+      timeout: 30 * 60_000,
       polling: 500,
     });
     return reportOf(String(await done.jsonValue()));
@@ -109,7 +110,7 @@ try {
     console.log(`${name} ...`);
     const isPage = file.endsWith('.html');
     const report = await (isPage
-      ? runPage(browser, `http://127.0.0.1:${port}/bench/${file}${query}`)
+      ? runPage(browser, new URL(file + query, `http://127.0.0.1:${port}/bench/`).href)
       : runScript(join('bench', file))
     ).catch((error: unknown): FailedReport => ({ error: String(error) }));
     if ('error' in report) {

@@ -21,6 +21,9 @@ vec4 barkGrowthAt(BranchVertex b, float turns) {
   float side = max(around / repeats, 0.3);
   vec3 n = b.surface.normal;
   float up = b.surface.position.z;
+#ifdef GROVE
+  up -= treeTexel(TREE_PLACE).z;
+#endif
   float foot = 1.0 - smoothstep(0.0, 1.6, up);
   float shade = smoothstep(-0.45, 0.9, dot(n, SHADED));
   float flat_ = smoothstep(0.1, 0.9, n.z) * step(0.5, b.parentRadius * 1e6);

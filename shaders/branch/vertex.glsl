@@ -1,15 +1,29 @@
 // Bends one unit grid along a piece (Skjermo 2006, section 3): read by the standard, depth and distance materials alike.
-// position: cos theta | sin theta | v along the piece. normal: theta in turns | copy within the bundle | -.
+// position: cos theta | sin theta | v along the piece. normal: theta in turns | copy within the bundle | radius of the coarser grid there.
 #include /branch/read-pose.glsl
 #include /branch/section.glsl
 #include /branch/radius.glsl
 #include /branch/surface.glsl
 #include /branch/collar.glsl
+#pragma grove_tree
+#ifdef PARTED
+#include /branch/part.glsl
+#endif
+#ifdef MORPHED
+#include /branch/morph.glsl
+#if !defined(RIBBON) && !defined(PAPER_FORMS)
+#include /branch/flatten.glsl
+#endif
+#endif
 
 uniform highp sampler2DArray branches;
 uniform int branchLog2Width;
 // First place in the draw order, number of places, copies an instance.
 uniform ivec3 branchRange;
+#ifdef RIBBON
+// Factor on the radius, which makes up for stems that are left out.
+uniform float stemGrowth;
+#endif
 // taper | flare | lobes | depth of the lobes; fade of the lobes | bulges | their depth | collar
 uniform vec4 stemShape[2];
 
@@ -28,24 +42,40 @@ struct BranchVertex {
 BranchVertex branchVertex() {
   BranchVertex result;
   int place = gl_InstanceID * branchRange.z + int(normal.y);
-  if (place >= branchRange.y) {
+  bool none = place >= branchRange.y;
+  ivec2 texel = texelOf(branchRange.x + place, branchLog2Width);
+#ifdef GROVE
+  vShare = vec2(0.0);
+  if (!none) none = !enterTree(int(texelFetch(branches, ivec3(texel, BRANCH_JOINT), 0).w));
+#endif
+  if (none) {
     // The tail of the last bundle: every corner falls on one point, so nothing is drawn.
     SurfacePoint nowhere = SurfacePoint(vec3(0.0), vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0));
     return BranchVertex(nowhere, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0);
   }
-  ivec2 texel = texelOf(branchRange.x + place, branchLog2Width);
   vec4 span = texelFetch(branches, ivec3(texel, BRANCH_SPAN), 0);
   vec4 stem = texelFetch(branches, ivec3(texel, BRANCH_STEM), 0);
   Pose pose = readPose(int(span.x), mod(stem.z, 2.0) > 0.5);
   float part = span.z - span.y;
   float v = position.z;
+#ifdef PARTED
+  v = partOf(v, place, span.yz);
+#endif
+#ifdef MORPHED
+  v = morphedRow(v);
+#endif
 #ifdef FLARED
   // The flare falls to a hundredth over an eighth of the stem: crowd the rings of its first piece towards the ground.
   if (span.y == 0.0) v *= mix(1.0, v, 0.85);
 #endif
 #ifdef JOINED
   // What a joint turns and widens lies near the base: crowd the rings of a first piece there.
-  if (span.y == 0.0) v *= mix(1.0, v, 0.5);
+#ifdef MORPHED
+  float crowd = gridMorph.w > 0.0 ? 0.5 - 0.5 * gridMorph.x : 0.5; // a ribbon's rows are even
+#else
+  const float crowd = 0.5;
+#endif
+  if (span.y == 0.0) v *= mix(1.0, v, crowd);
 #endif
   float z = span.y + part * v;
 #ifdef PLAIN_STEM
@@ -62,6 +92,11 @@ BranchVertex branchVertex() {
   vec2 swell = collar(along, rho.x, stem.w, stemShape[1].w);
   rho.y = rho.y * swell.x + rho.x * swell.y * stem.x;
   rho.x *= swell.x;
+#if defined(MORPHED) && !defined(RIBBON)
+  float drawnRadius = rho.x * morphedRadius(normal.z);
+#else
+  float drawnRadius = rho.x;
+#endif
   float slope = rho.y * part;
 #ifdef RIBBON
   // Two columns that face the eye: seen from afar a thin branch needs no more (Malheiros & Walter 2011, section 3.2).
@@ -73,7 +108,7 @@ BranchVertex branchVertex() {
   vec3 facing = cross(side, section.along);
   vec3 outward = side * position.x;
   result.surface = SurfacePoint(
-    section.centre + outward * rho.x,
+    section.centre + outward * (rho.x * stemGrowth),
     // 70 degrees to either side: interpolation then shades it as a cylinder without a vanishing normal (erratum E61).
     0.342 * facing + 0.94 * outward,
     side,
@@ -101,7 +136,7 @@ BranchVertex branchVertex() {
   vec3 n = g * radial - slope * section.along - g * rho.z * turn;
 #endif
   result.surface = SurfacePoint(
-    section.centre + rho.x * rim * radial,
+    section.centre + drawnRadius * rim * radial,
     rim == 0.0 ? section.along : unitOr(n, radial),
     around,
     unitOr(g * section.along + slope * radial, section.along)
@@ -117,6 +152,13 @@ BranchVertex branchVertex() {
     float far = length(out_);
     float near = 1.0 - smoothstep(0.8 * stem.w, stem.w + 1.3 * span.w, far);
     result.surface.normal = unitOr(mix(result.surface.normal, out_ / max(far, 1e-6), 0.85 * near), result.surface.normal);
+  }
+#endif
+#ifdef MORPHED
+  if (gridMorph.w > 0.0) {
+    vec4 seen = modelViewMatrix * vec4(section.centre, 1.0);
+    vec3 toEye = (projectionMatrix[2][3] == 0.0 ? vec3(0.0, 0.0, 1.0) : -seen.xyz) * mat3(modelViewMatrix);
+    result.surface = flattened(result.surface, section, normalize(toEye), radial * rim, rho.x, gridMorph.w);
   }
 #endif
 #endif

@@ -14,11 +14,21 @@ struct LeafTexel {
   vec4 orientation;
 };
 
+// The tree that a leaf of a grove belongs to. Twin: src/core/pack/leaf-texel.ts (groveLeaf)
+int leafTree(uvec4 bits) {
+  return int((bits.x >> 20u) & 0x7ffu);
+}
+
 // The leaf whose texel is `bits`: piece and parity | v, phase | rotation x, y | z, w.
 LeafTexel leafTexel(uvec4 bits) {
   vec2 place = unpackUnorm2x16(bits.y);
+#ifdef GROVE
+  int piece = int(bits.x & 0xfffffu);
+#else
+  int piece = int(bits.x & 0x7fffffffu);
+#endif
   return LeafTexel(
-    int(bits.x & 0x7fffffffu), (bits.x >> 31u) == 1u, place.x, place.y,
+    piece, (bits.x >> 31u) == 1u, place.x, place.y,
     vec4(unpackSnorm2x16(bits.z), unpackSnorm2x16(bits.w))
   );
 }

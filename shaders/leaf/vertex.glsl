@@ -5,6 +5,7 @@
 #include /lib/quaternion.glsl
 #include /leaf/swing.glsl
 #include /leaf/texel.glsl
+#pragma grove_tree
 
 in vec4 blade;
 
@@ -20,6 +21,10 @@ uniform vec2 leafFlutter;
 uniform float leafHang;
 // Direction towards which it blows at the tree, tree axes; shorter than 1 where it hardly does.
 uniform vec2 leafWind;
+#ifdef LEAF_PARTED
+// Leaves drawn as blades | as points, the one at the border as a fraction each | area of a blade of length and width 1.
+uniform vec3 leafPart;
+#endif
 
 struct LeafVertex {
   vec3 position;
@@ -37,15 +42,28 @@ vec3 swung(vec3 a, vec2 sines, vec2 cosines) {
 
 LeafVertex leafVertex() {
   int place = gl_InstanceID * leafRange.y + int(blade.z);
+#ifdef GROVE
+  vShare = vec2(0.0);
+#endif
   if (place >= leafRange.x) return LeafVertex(vec3(0.0), vec3(0.0, 0.0, 1.0), 0.0);
   ivec2 texel = texelOf(place, leafLog2Width);
-  LeafTexel leaf = leafTexel(texelFetch(leaves, ivec3(texel, LEAF_LEAF), 0));
+  uvec4 bits = texelFetch(leaves, ivec3(texel, LEAF_LEAF), 0);
+#ifdef GROVE
+  if (!enterTree(leafTree(bits))) return LeafVertex(vec3(0.0), vec3(0.0, 0.0, 1.0), 0.0);
+#endif
+  LeafTexel leaf = leafTexel(bits);
   Pose pose = readPose(leaf.piece, leaf.odd);
   float phase = leaf.phase;
   float own = hashUnit(hashPcg(uint(phase * 65535.0 + 0.5)));
   Section section = sectionAt(pose, leaf.v);
   mat3 frame = mat3(section.along, section.t, section.s);
   vec3 p = position * vec3(leafSize.x, leafSize.y, leafSize.y);
+#if defined(GROVE) && !defined(LEAF_ORGAN)
+  p *= treeTexel(TREE_CROWN).w;
+#endif
+#if defined(LEAF_PARTED) && !defined(LEAF_POINT)
+  p *= clamp(leafPart.x - float(place), 0.0, 1.0);
+#endif
   vec3 n = normal;
   LeafSwing swing = leafSwing(pose.stir, own, phase, leafFlutter.x, leafFlutter.y);
   vec2 sines = swing.sines;

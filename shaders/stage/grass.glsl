@@ -2,6 +2,11 @@
 // position: root x | height of the corner | root z, roots in a square of side 2. normal.xy: offset of the corner, normal.z: tone.
 #include /stage/field.glsl
 #include /stage/sky.glsl
+#ifdef GRASS_ON_TERRAIN
+#include /forest/terrain-height.glsl
+uniform sampler2D terrainShade;
+out vec2 vTerrain;
+#endif
 
 out vec3 vGround;
 out vec3 vHaze;
@@ -30,6 +35,14 @@ vec3 grassPoint() {
   grown *= 1.0 - smoothstep(0.25 + 0.55 * fract(position.z * 91.3), 1.0, length(off) / reach);
   // Little grows in the shade of the trunk.
   grown *= mix(0.6, 1.0, smoothstep(groundReach.z, groundReach.z * 3.0, length(root)));
+  float ground = 0.0;
+#ifdef GRASS_ON_TERRAIN
+  vTerrain = vec2(root.x, -root.y);
+  ground = terrainAt(vTerrain);
+  // Under dense crowns litter lies in its place.
+  float open = textureLod(terrainShade, vTerrain * terrainPlace.x + 0.5, 1.0).g;
+  grown *= smoothstep(0.25, 0.8, open + 0.3 * (fract(position.x * 71.3) - 0.5));
+#endif
   // Far blades are larger: they stand for the many that are not drawn.
   grown *= clamp(sqrt(reach / 6.0), 0.75, 1.6);
   // Grass is soft: a breeze lays it over by a third, a gale flat. No two blades are as stiff.
@@ -51,5 +64,5 @@ vec3 grassPoint() {
   float angle = 0.21 * lean;
   vec2 corner = offset * grown * (position.y > 0.0 ? 1.0 - 0.5 * lean : 1.0) + vec2(way.x, -way.y) * (up * sinTurns(angle));
   vBlade = vec4(position.y > 0.0 || flower > 0.0 ? 1.0 : 0.0, normal.z, lean, flower);
-  return vec3(root.x + corner.x, up * cosTurns(angle), root.y + corner.y);
+  return vec3(root.x + corner.x, ground + up * cosTurns(angle), root.y + corner.y);
 }

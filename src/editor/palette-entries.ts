@@ -5,6 +5,7 @@ import { fits, plain } from './fuzzy.ts';
 import { COMMANDS, drawLevels, keysOf } from './shortcuts.ts';
 import { revealParameter } from './ui/tree/reveal.ts';
 import { commandWords } from './words/commands.ts';
+import { pageWords } from './words/pages.ts';
 import { paletteWords } from './words/palette.ts';
 
 /** Something that the palette finds and does. */
@@ -68,6 +69,11 @@ const winds = (editor: Editor): Entry[] =>
       ),
     );
 
+const pages = (): Entry[] =>
+  pageWords.pages.map(({ id, name, about, href }) =>
+    entry(`page-${id}`, pageWords.open(name), pageWords.kind, () => location.assign(href), about),
+  );
+
 const titles = new Map<string, string>(GROUPS.map(({ group, title }) => [group, title]));
 
 /** Every setting of the tree: `Down angle of limbs`. */
@@ -87,6 +93,7 @@ export const paletteEntries = (editor: Editor): Entry[] => [
   ...species(editor),
   ...winds(editor),
   ...settings(editor),
+  ...pages(),
 ];
 
 /** Those that fit a query, best first; all of them, in their order, where it asks nothing. */

@@ -8,7 +8,7 @@ import { swayTexels } from '../core/wind/sway.ts';
 import { CpuSprings } from './cpu-springs.ts';
 import type { Poser, ReadBack } from './poser.ts';
 import { checkpointsFor, sliceFor } from './state-budget.ts';
-import { StateRun } from './state-run.ts';
+import { type Near, StateRun } from './state-run.ts';
 import { stepsAt } from './step.ts';
 import type { TreeTextures } from './tree-textures.ts';
 import type { WindSource } from './wind-source.ts';
@@ -19,7 +19,7 @@ export class CpuPoser implements Poser {
   readonly #textures: TreeTextures;
   readonly #pose: Float32Array;
   readonly #wind = createWindState();
-  #near: boolean;
+  #near: Near;
   #springs: CpuSprings | null = null;
   #run: StateRun | null = null;
   #state: Float32Array | null = null;
@@ -29,7 +29,7 @@ export class CpuPoser implements Poser {
   #revision = Number.NaN;
 
   /** `textures` must be made for the CPU (`gpuPose` false); `near`: springs begin with the wind of the first update's time, until `settle`. */
-  constructor(textures: TreeTextures, near = false) {
+  constructor(textures: TreeTextures, near: Near = false) {
     this.#near = near;
     if (!textures.cpuPose) throw new Error('CpuPoser needs textures that the CPU writes.');
     this.#textures = textures;
@@ -41,7 +41,7 @@ export class CpuPoser implements Poser {
   }
 
   settle(): void {
-    if (!this.#near) return;
+    if (!this.#near || this.#near === 'always') return;
     this.#near = false;
     this.#run?.settle();
     this.#time = Number.NaN;

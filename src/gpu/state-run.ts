@@ -14,6 +14,9 @@ export interface StateBackend {
   restore(slot: number): void;
 }
 
+/** Whether a first state may begin where it is asked for; `always`: every state may, whenever the last is far. */
+export type Near = boolean | 'always';
+
 /** What a run asks a wind source: whether the wind that its states come from is still the wind. */
 export type Past = Pick<WindSource, 'epoch' | 'past' | 'revision'>;
 
@@ -47,7 +50,7 @@ export class StateRun {
   #past = Number.NaN;
   #revision = Number.NaN;
   /** The first state may begin where it is asked for; and one has begun so. */
-  #near: boolean;
+  #near: Near;
   #nearby = false;
   /** The first step that was asked for last: what is on screen. */
   #shown = 0;
@@ -57,9 +60,10 @@ export class StateRun {
 
   /**
    * `capacity`: checkpoints at most; `slice`: steps a call at most, beyond the few that a draw needs; `near`: the first state begins
-   * where it is asked for, as after an edit while playing, until `settle`.
+   * where it is asked for, as after an edit while playing, until `settle`; `always`: so does every other, nothing of the past counts and
+   * nothing of it is kept.
    */
-  constructor(backend: StateBackend, capacity: number, slice: number, near = false) {
+  constructor(backend: StateBackend, capacity: number, slice: number, near: Near = false) {
     this.#near = near;
     this.#backend = backend;
     this.#checkpoints = new Checkpoints(capacity);
@@ -98,6 +102,7 @@ export class StateRun {
 
   /** What began near is run again from the start, by the next call. */
   settle(): void {
+    if (this.#near === 'always') return;
     this.#near = false;
     if (this.#nearby) this.forget();
   }
@@ -140,7 +145,8 @@ export class StateRun {
   #heed(first: number, source: Past): void {
     const { epoch, revision } = source;
     const past = source.past ?? revision;
-    if (epoch !== this.#epoch) {
+    const goesOn = this.#near === 'always' && !Number.isNaN(this.#latest);
+    if (epoch !== this.#epoch && !goesOn) {
       this.forget();
       this.#pure = true;
     } else if (past !== this.#past) {
@@ -182,10 +188,10 @@ export class StateRun {
       }
     } else if (ahead >= (visits ? -FOLLOWS : -1) && ahead <= FOLLOWS) return;
     this.#from = Number.NaN;
-    this.#nearby = this.#near;
+    this.#nearby = this.#near !== false;
     this.#pure = !this.#near;
     this.#begin(this.#near ? first : startOf(first));
-    this.#near = false;
+    if (this.#near !== 'always') this.#near = false;
     // The wind at the start may have ended a fade, which is an epoch of its own and no reason to start again.
     this.#note(source);
   }

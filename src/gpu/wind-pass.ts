@@ -8,7 +8,7 @@ import type { Poser, ReadBack } from './poser.ts';
 import { rendererName } from './renderer-name.ts';
 import { bytesOfState, LEAN, SpringPass } from './spring-pass.ts';
 import { checkpointsFor, isSoftware, sliceFor } from './state-budget.ts';
-import { StateRun } from './state-run.ts';
+import { type Near, StateRun } from './state-run.ts';
 import { STEP, stepsAt } from './step.ts';
 import { type StepMaterials, stepMaterialsOf } from './step-materials.ts';
 import { type IndexRange, TexelDraw } from './texel-draw.ts';
@@ -53,7 +53,7 @@ export class WindPass implements Poser {
   readonly #state = new PassState();
   readonly #depths: number;
   readonly #reader: PoseReader;
-  readonly #near: boolean;
+  readonly #near: Near;
   #springs: Springs | null = null;
   #seeded = false;
   /** What the pose was computed for; NaN where nothing was. */
@@ -77,7 +77,7 @@ export class WindPass implements Poser {
    * `textures` must have targets, that is be made for a GPU that can draw into them; `near`: springs begin with the wind of the first
    * update's time, until `settle`.
    */
-  constructor(textures: TreeTextures, near = false) {
+  constructor(textures: TreeTextures, near: Near = false) {
     this.#near = near;
     if (!textures.pose.targets) throw new Error('WindPass needs float targets; CpuPoser does without.');
     this.#textures = textures;
@@ -103,7 +103,7 @@ export class WindPass implements Poser {
   }
 
   settle(): void {
-    if (!this.#near || this.#settled) return;
+    if (!this.#near || this.#near === 'always' || this.#settled) return;
     this.#settled = true;
     this.#springs?.run.settle();
     this.#time = Number.NaN;
@@ -185,7 +185,7 @@ export class WindPass implements Poser {
       const pass = new SpringPass(this.#bend, this.#draw, this.#depths, pieces.width, pieces.height);
       const slice = sliceFor(pieceCount, this.#software);
       const kept = checkpointsFor(bytesOfState(pieces.width, pieces.height));
-      this.#springs = { pass, run: new StateRun(pass, kept, slice, this.#near && !this.#settled), slice };
+      this.#springs = { pass, run: new StateRun(pass, kept, slice, this.#settled ? false : this.#near), slice };
     }
     this.#springs.pass.use({ renderer, materials, source });
     return this.#springs;

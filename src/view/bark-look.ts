@@ -2,7 +2,7 @@ import { Color, type Vector4 } from 'three';
 import { twigColour } from '../core/look/bark-colour.ts';
 import { barkWrap } from '../core/look/bark-wrap.ts';
 import type { BarkLook, Species } from '../core/species/species.ts';
-import { BARK_SIZE, barkTexture, growthTexture } from './bark-texture.ts';
+import { BARK_SIZE, barkTexture, growthTexture, releaseBark } from './bark-texture.ts';
 import type { BarkUniforms } from './uniforms.ts';
 
 /** How the stems of a level are drawn: near by with the relief of their bark in the surface, as tubes, or as ribbons that face the eye. */
@@ -58,7 +58,7 @@ function setColour(to: Vector4, colour: string, amount: number): void {
 export function setBarkLook(uniforms: BarkUniforms, bark: BarkLook): void {
   const map = uniforms.barkMap;
   if (map.value?.name !== `bark ${bark.kind}`) {
-    map.value?.dispose();
+    if (map.value) releaseBark(map.value);
     map.value = barkTexture(bark.kind);
   }
   uniforms.barkGrowth.value ??= growthTexture();
@@ -76,7 +76,7 @@ export function setBarkLook(uniforms: BarkUniforms, bark: BarkLook): void {
 /** Frees the textures; a look that is set afterwards makes them anew. */
 export function disposeBarkLook({ barkMap, barkGrowth }: BarkUniforms): void {
   for (const map of [barkMap, barkGrowth]) {
-    map.value?.dispose();
+    if (map.value) releaseBark(map.value);
     map.value = null;
   }
 }

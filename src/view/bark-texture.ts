@@ -10,8 +10,32 @@ const GROWTH_SIZE = 256;
 
 const images = new Map<BarkLook['kind'], BarkImage>();
 
-/** The bark of a kind as a texture that tiles. The image is made once a page, the texture belongs to the caller. */
-export function barkTexture(kind: BarkLook['kind']): DataTexture {
+/** The textures in use, and by how many: a forest has one of each kind. */
+const shared = new Map<string, { texture: DataTexture; users: number }>();
+
+function share(name: string, make: () => DataTexture): DataTexture {
+  let entry = shared.get(name);
+  if (!entry) {
+    entry = { texture: make(), users: 0 };
+    entry.texture.name = name;
+    shared.set(name, entry);
+  }
+  entry.users++;
+  return entry.texture;
+}
+
+/** Gives back a texture of this file; the last to do so frees it. */
+export function releaseBark(texture: DataTexture): void {
+  const entry = shared.get(texture.name);
+  if (entry?.texture !== texture || --entry.users > 0) return;
+  shared.delete(texture.name);
+  texture.dispose();
+}
+
+/** The bark of a kind as a texture that tiles; the image is made once a page. Give it back with `releaseBark`. */
+export const barkTexture = (kind: BarkLook['kind']): DataTexture => share(`bark ${kind}`, () => makeBark(kind));
+
+function makeBark(kind: BarkLook['kind']): DataTexture {
   let image = images.get(kind);
   if (!image) {
     image = barkImage(kind, BARK_SIZE);
@@ -19,16 +43,14 @@ export function barkTexture(kind: BarkLook['kind']): DataTexture {
   }
   const texture = tileTexture(image.data, BARK_SIZE);
   texture.anisotropy = 4;
-  texture.name = `bark ${kind}`;
   return texture;
 }
 
 let growth: Uint8Array<ArrayBuffer> | null = null;
 
-/** What comes over bark of any kind, as a texture that tiles; it belongs to the caller. */
-export function growthTexture(): DataTexture {
-  growth ??= growthImage(GROWTH_SIZE);
-  const texture = tileTexture(growth, GROWTH_SIZE);
-  texture.name = 'bark growth';
-  return texture;
-}
+/** What comes over bark of any kind, as a texture that tiles. Give it back with `releaseBark`. */
+export const growthTexture = (): DataTexture =>
+  share('bark growth', () => {
+    growth ??= growthImage(GROWTH_SIZE);
+    return tileTexture(growth, GROWTH_SIZE);
+  });

@@ -7,6 +7,7 @@ import channel from '../../shaders/debug/channel.glsl';
 import crown from '../../shaders/leaf/crown.glsl';
 import { layoutGlsl } from '../core/pack/layout-glsl.ts';
 import { CHANNEL_DIFFUSE, CHANNEL_FRAGMENT } from './channel-shader.ts';
+import { GROVE_FRAGMENT } from './forest/grove-shader.ts';
 import type { Injection, Patch } from './inject.ts';
 
 /** Where the deformer takes over from three's own vertex; every material has these. */
@@ -60,6 +61,7 @@ vChannel = channelOf(int(texelFetch(branches, ivec3(channelTexel, BRANCH_SPAN), 
     },
   ],
   fragment: [
+    ...GROVE_FRAGMENT,
     { anchor: '#include <common>', after: `${barkFragment}\n${CHANNEL_FRAGMENT}` },
     { anchor: '#include <map_fragment>', after: `diffuseColor.rgb *= barkDiffuse();\n${CHANNEL_DIFFUSE}` },
     { anchor: '#include <roughnessmap_fragment>', after: 'roughnessFactor = barkRoughness(roughnessFactor);' },
@@ -73,4 +75,4 @@ reflectedLight.indirectSpecular *= barkAmbient();`,
 };
 
 /** For MeshDepthMaterial and MeshDistanceMaterial: the same shape, so shadows sway too. */
-export const BRANCH_DEPTH: Injection = { vertex: shape, fragment: [] };
+export const BRANCH_DEPTH: Injection = { vertex: shape, fragment: GROVE_FRAGMENT };

@@ -23,7 +23,6 @@ const SECTORS: readonly (readonly [number, number])[] = [
   [8, 12],
   [3.5, 8],
   [1.6, 6],
-  [0.9, 4],
 ];
 
 /** Bands of a piece by level: trunks carry the flare, deeper pieces are short and nearly straight. */
@@ -73,10 +72,32 @@ function gridFor(level: number, pixels: number): GridDetail {
   const step = SECTORS.find(([least]) => pixels >= least);
   // A trunk stays round: its lobes and its shadow show even where it is thin.
   const sectors = step ? step[1] : level === 0 ? 6 : 1;
-  // A stem a fifth of a pixel thick is some twenty pixels long: two straight parts follow its curve.
+  // A twig less than a pixel thick is some twenty pixels long: two straight parts follow its curve.
   const banded = pixels >= 3.5 ? bands[0] : bands[1];
-  return { sectors, bands: sectors === 1 && pixels < 0.2 ? Math.min(2, banded) : banded };
+  return { sectors, bands: sectors === 1 && pixels < (level > 1 ? 0.7 : 0.2) ? Math.min(2, banded) : banded };
 }
+
+/** Radius in pixels below which stems are drawn as fewer and wider ones, and the part of them that is always drawn. */
+const LEAST_STEM = 0.35;
+const LEAST_PART = 0.1;
+
+/**
+ * How many of `count` stems are drawn that are `radius` pixels thick: all while a pixel sees each of them, then so many that those which remain,
+ * widened to cover as much, are `LEAST_STEM` thick; thinner ones would cost as much and break into dots. In steps of an eighth of an octave.
+ */
+export function stemsDrawn(count: number, radius: number, detail: Detail): number {
+  const fraction = (radius * FACTOR[detail]) / LEAST_STEM;
+  if (!(fraction < 1)) return count;
+  const step = 2 ** (Math.floor(8 * Math.log2(Math.max(1e-6, fraction))) / 8);
+  return Math.max(1, Math.ceil(count * Math.max(LEAST_PART, step)));
+}
+
+/** Bands of a piece in shadow maps, by level: a ribbon's, which follows the curve and no more. */
+const SHADOW_BANDS = [12, 4, 2, 1] as const;
+
+/** Bands of the ribbon that a piece of a level is in shadow maps, drawn with `bands` in the picture. */
+export const shadowBands = (level: number, bands: number, detail: Detail): number =>
+  detail === 'high' ? bands : Math.min(bands, SHADOW_BANDS[Math.min(level, SHADOW_BANDS.length - 1)] as number);
 
 /** Length in pixels from which on a leaf is seen near by. */
 const NEAR = 42;
@@ -100,24 +121,32 @@ export function leafGrain(
 export const showsVeins = (length: number, detail: Detail): boolean => length * FACTOR[detail] >= NEAR;
 
 /** Triangles that one level of stems, and the leaves, may take before a coarser form is chosen. */
-const STEM_TRIANGLES: Record<Detail, number> = { auto: 240_000, high: 2_000_000, low: 60_000 };
+const STEM_TRIANGLES: Record<Detail, number> = { auto: 50_000, high: 2_000_000, low: 60_000 };
 /** And that the relief of their bark may take. */
 const RELIEF_TRIANGLES: Record<Detail, number> = { auto: 70_000, high: 600_000, low: 20_000 };
 const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 700_000, high: 6_000_000, low: 100_000 };
 
 /** Leaves that are drawn at most, by default. */
-export const LEAF_BUDGET: Record<Detail, number> = { auto: 150_000, high: 600_000, low: 30_000 };
+export const LEAF_BUDGET: Record<Detail, number> = { auto: 100_000, high: 600_000, low: 30_000 };
+
+/** Part of the leaves that are drawn that cast shadows: those that do are grown to cover as much. */
+const CASTING: Record<Detail, number> = { auto: 0.34, high: 1, low: 0.2 };
+
+/** Leaves below which all cast shadows: each spot of light tells. */
+const ALL_CAST = 2000;
+
+/** How many of `drawn` leaves are drawn into shadow maps. */
+export const leavesCasting = (drawn: number, detail: Detail): number =>
+  Math.min(drawn, Math.max(ALL_CAST, Math.ceil(drawn * CASTING[detail])));
 
 /** Shortest blade in pixels that is worth a leaf of its own. */
-const LEAST_BLADE = 4;
+const LEAST_BLADE = 5;
 
 /**
  * How many of `count` leaves are drawn whose blades are `length` pixels long on screen: all while they can be told apart, then
- * so many that those which remain, grown to cover as much, are about `LEAST_BLADE` long. Steps of an eighth of an octave, too
- * small to be seen coming or going.
+ * so many that those which remain, grown to cover as much, are about `LEAST_BLADE` long. One by one: many that go at once are seen to.
  */
 export function leavesDrawn(count: number, length: number, budget: number, detail: Detail): number {
   const fraction = ((length * FACTOR[detail]) / LEAST_BLADE) ** 2;
-  const step = fraction >= 1 ? 1 : 2 ** (Math.floor(8 * Math.log2(fraction)) / 8);
-  return Math.max(1, Math.min(budget, Math.ceil(count * step)));
+  return Math.max(1, Math.min(budget, Math.ceil(count * Math.min(1, fraction))));
 }

@@ -1,3 +1,5 @@
+import { chordRadius } from './grid-morph.ts';
+
 /** What a unit grid looks like before it is bent along a piece. */
 export interface GridSpec {
   /** Columns around the axis, >= 3; 1 makes a ribbon of two columns that the shader turns to the camera. */
@@ -10,13 +12,15 @@ export interface GridSpec {
   readonly round?: boolean;
   /** Copies of the grid in one instance; each bends along a piece of its own. */
   readonly bundle: number;
+  /** Columns of the coarser grid that it is to become; its own by default. */
+  readonly coarse?: number;
 }
 
 /** A unit grid as attributes of a geometry. */
 export interface Grid {
   /** cos theta | sin theta | v; 3 a vertex. A cap's centre has cos = sin = 0; a ribbon has (-1 or 1, 0, v). */
   readonly position: Float32Array;
-  /** theta in turns, 0..1 with both ends | copy within the bundle | 0; 3 a vertex. */
+  /** theta in turns, 0..1 with both ends | copy within the bundle | distance of the coarser grid's side from the axis, 1 at its corners; 3 a vertex. */
   readonly shape: Float32Array;
   readonly index: Uint16Array | Uint32Array;
   /** Of one copy. */
@@ -41,7 +45,7 @@ function columnAngle(column: number, sectors: number): [number, number] {
  * instance costs such a rasteriser far more than a vertex. Throws RangeError on a spec that makes no surface.
  */
 export function branchGrid(spec: GridSpec): Grid {
-  const { sectors, bands, cap, bundle, round } = spec;
+  const { sectors, bands, cap, bundle, round, coarse = 1 } = spec;
   const ribbon = sectors === 1;
   if (!ribbon && sectors < 3) throw new RangeError(`grid: sectors must be 1 or at least 3, found ${sectors}`);
   if (bands < 1 || bundle < 1)
@@ -70,6 +74,7 @@ export function branchGrid(spec: GridSpec): Grid {
         position[p + 2] = centre ? 1 : round ? v * (2 - v) : v;
         shape[p] = column / sectors;
         shape[p + 1] = copy;
+        shape[p + 2] = coarse >= 3 ? chordRadius(column / sectors, coarse) : 1;
         p += 3;
       }
     }

@@ -15,13 +15,23 @@ export interface Injection {
   readonly fragment: readonly Patch[];
 }
 
+/** Shader code that most materials never need, by the name of the pragma that it stands in for. */
+const parts = new Map<string, string>();
+
+/** Puts `text` in place of each `#pragma name` of what is compiled from now on: code that travels only with those who need it. */
+export function providePart(name: string, text: string): void {
+  parts.set(name, text);
+}
+
 /** `source` with the patches applied. Throws Error naming the anchor that is not there exactly once: another three. */
 export function patched(source: string, patches: readonly Patch[]): string {
-  return patches.reduce((text, { anchor, before = '', instead = anchor, after = '' }) => {
-    const parts = text.split(anchor);
-    if (parts.length !== 2) throw new Error(`shader anchor ${anchor} found ${parts.length - 1} times, not once`);
-    return `${parts[0]}${before}\n${instead}\n${after}${parts[1]}`;
+  const whole = patches.reduce((text, { anchor, before = '', instead = anchor, after = '' }) => {
+    const around = text.split(anchor);
+    if (around.length !== 2) throw new Error(`shader anchor ${anchor} found ${around.length - 1} times, not once`);
+    return `${around[0]}${before}\n${instead}\n${after}${around[1]}`;
   }, source);
+  // A pragma that nobody knows is no fault: compilers pass over it.
+  return whole.replace(/^#pragma (\w+)$/gm, (line, name: string) => parts.get(name) ?? line);
 }
 
 /**

@@ -1,9 +1,8 @@
-import type { Box3, Camera, Object3D } from 'three';
+import { type Box3, type Camera, type Object3D, Vector2 } from 'three';
 import type { LeafGrain, LeafMesh } from '../core/look/leaf-mesh.ts';
 import { bundleFor, leafGeometry, recount } from './branch-geometry.ts';
 import type { channelUniforms } from './channel-texels.ts';
-import { leafGrain, leafGrowth, leavesDrawn, showsVeins } from './detail.ts';
-import { pixelsPerMetre } from './pixel-size.ts';
+import { leafGrain, leafGrowth, leavesCasting, leavesDrawn, showsVeins } from './detail.ts';
 import { disposeMaterials, dress, leafMaterials, type MaterialSet } from './tree-materials.ts';
 import type { Shown, TreeMesh } from './tree-parts.ts';
 import type { LeafUniforms, SharedUniforms } from './uniforms.ts';
@@ -14,6 +13,10 @@ export interface LeafHost extends Object3D {
   readonly shared: SharedUniforms;
   readonly channelLook: ReturnType<typeof channelUniforms>;
   readonly pictureHeight: number;
+  /** Trees that are drawn as one. */
+  readonly treeCount: number;
+  /** Pixels that a metre takes of what is in `box`. */
+  scaleOf(camera: Camera, box: Box3): number;
   /** Names that every material of the tree is compiled with. */
   viewDefines(): string[];
   /** A mesh of the tree, without a geometry. */
@@ -40,11 +43,14 @@ export class LeafLayer {
   readonly #name: string;
   readonly #look: LeafUniforms;
   readonly #defines: Readonly<Record<'near' | 'far', readonly string[]>>;
+  /** What shadow maps draw of the same leaves. */
+  readonly #cast = { leafRange: { value: new Vector2() }, leafSize: { value: new Vector2(1, 1) } };
   #mesh: TreeMesh | null = null;
   #materials: Partial<Record<'near' | 'far', MaterialSet>> = {};
   #thing: LeafLike | null = null;
   /** How many the mesh's geometry has, 0 for none, and how finely it draws each. */
   #drawn = 0;
+  #casting = 0;
   #grain: LeafGrain = 'far';
   #kind: 'near' | 'far' = 'far';
 
@@ -103,30 +109,39 @@ export class LeafLayer {
   }
 
   #fitThing(thing: LeafLike, camera: Camera, box: Box3): void {
-    const { shown, matrixWorld, pictureHeight } = this.#host;
-    const scale = pixelsPerMetre(camera, matrixWorld, box, pictureHeight);
-    const most = Math.min(thing.count, shown.leafBudget);
+    const { shown, treeCount } = this.#host;
+    const scale = this.#host.scaleOf(camera, box);
+    const most = Math.min(thing.count, shown.leafBudget * treeCount);
     const count = leavesDrawn(thing.count, thing.length * scale, most, shown.detail);
     const [growX, growY] = leafGrowth(count / thing.count, thing.widthOverLength);
     const pixels = thing.length * growY * scale;
-    const grain = leafGrain(pixels, count, (g) => thing.triangles[g], shown.detail);
+    const grain = leafGrain(pixels, count / treeCount, (g) => thing.triangles[g], shown.detail);
     // Where there are too many leaves for the finest grain they are near all the same.
     const kind = showsVeins(pixels, shown.detail) ? 'near' : 'far';
-    if (this.#drawn === count && this.#grain === grain && this.#kind === kind) return;
+    const casting = leavesCasting(count, shown.detail);
+    if (this.#drawn === count && this.#grain === grain && this.#kind === kind && this.#casting === casting) return;
     this.#mesh ??= this.#host.newMesh(this.#name);
     const mesh = this.#mesh;
     const bundle = bundleFor(count);
-    const made = `${thing.key} ${grain} ${bundle}`;
-    if (made === mesh.geometry.userData.made) recount(mesh.geometry, count, bundle, box);
+    const castGrain = shown.detail === 'high' ? grain : 'far';
+    const made = `${thing.key} ${grain} ${castGrain} ${bundle}`;
+    if (made === mesh.geometry.userData.made) recount(mesh.geometry, count, bundle, box, casting);
     else {
       mesh.geometry.dispose();
-      mesh.geometry = leafGeometry(thing.mesh(grain, bundle), count, bundle, box);
+      mesh.geometry = leafGeometry(thing.mesh(grain, bundle), count, bundle, box, {
+        mesh: thing.mesh(castGrain, bundle),
+        count: casting,
+      });
       mesh.geometry.userData.made = made;
     }
     this.#look.leafRange.value.set(count, bundle);
     this.#look.leafSize.value.set(growX * thing.length, growY * thing.length);
+    const [castX, castY] = leafGrowth(casting / thing.count, thing.widthOverLength);
+    this.#cast.leafRange.value.set(casting, bundle);
+    this.#cast.leafSize.value.set(castX * thing.length, castY * thing.length);
     dress(mesh, this.#set(kind, thing.roughness));
     this.#drawn = count;
+    this.#casting = casting;
     this.#grain = grain;
     this.#kind = kind;
   }
@@ -136,7 +151,7 @@ export class LeafLayer {
     if (made) return made;
     const { shared, channelLook, shown } = this.#host;
     const defines = [...this.#defines[kind], ...this.#host.viewDefines()];
-    const set = leafMaterials(defines, { ...shared, ...channelLook, ...this.#look });
+    const set = leafMaterials(defines, { ...shared, ...channelLook, ...this.#look }, this.#cast);
     set.standard.roughness = roughness;
     set.standard.wireframe = shown.mode === 'wireframe';
     this.#materials[kind] = set;

@@ -5,6 +5,7 @@ import leafThrough from '../../shaders/leaf/through.glsl';
 import leafVertex from '../../shaders/leaf/vertex.glsl';
 import { layoutGlsl } from '../core/pack/layout-glsl.ts';
 import { CHANNEL_DIFFUSE, CHANNEL_FRAGMENT } from './channel-shader.ts';
+import { GROVE_FRAGMENT } from './forest/grove-shader.ts';
 import type { Injection, Patch } from './inject.ts';
 
 /** Where the leaf takes over from three's own vertex; every material has these. */
@@ -52,6 +53,7 @@ vChannel = channelOfLeaf(channelLeaf.piece, channelLeaf.v, channelLeaf.phase, ch
     },
   ],
   fragment: [
+    ...GROVE_FRAGMENT,
     { anchor: '#include <common>', after: `${leafFragment}\n${CHANNEL_FRAGMENT}` },
     { anchor: '#include <lights_physical_pars_fragment>', after: leafThrough },
     {
@@ -75,4 +77,4 @@ reflectedLight.indirectSpecular *= 0.3 * vLeaf.y;`,
 };
 
 /** For MeshDepthMaterial and MeshDistanceMaterial. */
-export const LEAF_DEPTH: Injection = { vertex: shape, fragment: [] };
+export const LEAF_DEPTH: Injection = { vertex: shape, fragment: GROVE_FRAGMENT };

@@ -14,7 +14,7 @@ import groundNormal from '../../shaders/stage/ground-normal.glsl';
 import { hashPcg, hashUnit } from '../core/math/hash.ts';
 import type { ForceField } from './force-field.ts';
 import type { Ground } from './ground.ts';
-import { inject } from './inject.ts';
+import { type Injection, inject } from './inject.ts';
 
 const ahead = new Vector3();
 
@@ -105,13 +105,18 @@ export class Meadow extends Mesh<BufferGeometry, MeshLambertMaterial> {
   /** Middle of the square before the eye, and half its side as a power of two. */
   readonly #square = { value: new Vector3(0, 0, 3) };
 
-  /** `field`: the wind that lays the grass over; `sky`: what it fades into. */
-  constructor(ground: Ground, field: ForceField, sky: Readonly<Record<string, IUniform>>) {
+  /** `field`: the wind that lays the grass over; `sky`: what it fades into; `injection`: its shader where the ground is not this stage's, with a name. */
+  constructor(
+    ground: { readonly uniforms: Ground['uniforms'] & Record<string, IUniform> },
+    field: ForceField,
+    sky: Readonly<Record<string, IUniform>>,
+    [key, injection]: readonly [string, Injection] = ['windgrove grass', GRASS_INJECTION],
+  ) {
     const material = new MeshLambertMaterial();
     super(blades(), material);
     field.dress(material);
     material.side = DoubleSide; // a blade has no back
-    inject(material, 'windgrove grass', GRASS_INJECTION, {
+    inject(material, key, injection, {
       ...ground.uniforms,
       ...field.uniforms,
       ...sky,
@@ -128,12 +133,12 @@ export class Meadow extends Mesh<BufferGeometry, MeshLambertMaterial> {
     this.geometry.setDrawRange(0, Math.round(TUFTS * part) * BLADES * 3);
   }
 
-  /** Lays the grass where the lower part of the picture shows the ground: few blades, all of them seen. */
-  see(camera: Camera): void {
+  /** Lays the grass where the lower part of the picture shows the ground: few blades, all of them seen. `height`: of the eye above the ground. */
+  see(camera: Camera, height = camera.position.y): void {
     camera.getWorldDirection(ahead);
     const level = Math.max(1e-3, Math.hypot(ahead.x, ahead.z));
     const below = Math.max(LEAST, BELOW - Math.atan2(ahead.y, level));
-    const away = Math.max(0.1, camera.position.y) / Math.tan(Math.min(1.4, below));
+    const away = Math.max(0.1, height) / Math.tan(Math.min(1.4, below));
     const x = camera.position.x + (ahead.x / level) * away;
     const z = camera.position.z + (ahead.z / level) * away;
     this.#square.value.set(x, z, Math.log2(SPREAD * away ** GROWS));

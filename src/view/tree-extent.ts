@@ -15,14 +15,15 @@ export interface LevelExtent {
 /** Stems that are looked at to judge a level's radius; the draw order is spread evenly, so its start is a fair sample. */
 const SAMPLE = 256;
 
-/** Box and typical radius of each level, from the packed tree. */
-export function levelExtents(tree: PackedTree): LevelExtent[] {
+/** Box and typical radius of each level, from the packed tree; of the first `most` pieces of its draw order. */
+export function levelExtents(tree: PackedTree, most = Number.POSITIVE_INFINITY): LevelExtent[] {
   const { branches, restPose, levels } = tree;
   const plane = restPose.width * restPose.height * TEXEL;
   const span = BRANCH_LAYERS.SPAN * branches.width * branches.height * TEXEL;
   const point = new Vector3();
   const before = new Vector3();
-  return levels.map(({ start, count }) => {
+  return levels.map(({ start, count: all }) => {
+    const count = Math.min(all, most);
     const box = new Box3();
     const radii: number[] = [];
     let length = 0;

@@ -1,4 +1,5 @@
 import { type Box3, type Camera, Data3DTexture, LinearFilter, RedFormat, type Vector2 } from 'three';
+import type { GroveLight } from '../core/look/grove-light.ts';
 import { coverCount, organCount } from '../core/look/leaf-count.ts';
 import { leafThin } from '../core/look/leaf-look.ts';
 import { type LeafGrain, leafMesh, leafTriangles } from '../core/look/leaf-mesh.ts';
@@ -8,6 +9,7 @@ import { ORGAN_HANG, organMesh, organTriangles } from '../core/look/organ-mesh.t
 import { treeLight } from '../core/look/tree-light.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
+import type { Foliage } from './forest/grove-parts.ts';
 import { type LeafHost, LeafLayer, type LeafLike } from './leaf-layer.ts';
 import type { TreeMesh } from './tree-parts.ts';
 import { type LeafUniforms, leafUniforms } from './uniforms.ts';
@@ -23,14 +25,14 @@ const byGrain = (of: (grain: LeafGrain) => number): Record<LeafGrain, number> =>
 const ORGAN_FLUTTER = 0.35;
 
 /** The leaves of one tree, what its twigs bear besides, and the light among them. */
-export class TreeLeaves {
+export class TreeLeaves implements Foliage {
   readonly look: LeafUniforms = leafUniforms();
   readonly #organLook: LeafUniforms = { ...leafUniforms(), crownRounding: this.look.crownRounding };
   readonly #host: LeafHost;
   readonly #leaves: LeafLayer;
   readonly #organs: LeafLayer;
   /** What the light was found for. */
-  #lit: { tree: PackedTree; key: string } | null = null;
+  #lit: { of: PackedTree | GroveLight; key: string } | null = null;
 
   constructor(host: LeafHost) {
     this.#host = host;
@@ -50,11 +52,11 @@ export class TreeLeaves {
   }
 
   /** Takes the look of another tree; its geometry is made at the next frame. */
-  setTree(tree: PackedTree, species: Species): void {
+  setTree(tree: PackedTree, species: Species, light?: GroveLight): void {
     this.#setLook(species);
     this.#leaves.take(leavesOf(tree, species));
     this.#organs.take(organsOf(tree, species));
-    this.#light(tree, species);
+    this.#light(tree, species, light);
   }
 
   /** The time in sixteenths of a beat, 0..1, and where the wind blows to at the tree. */
@@ -120,13 +122,14 @@ export class TreeLeaves {
   }
 
   /** Finds the light inside the crown anew where leaves are elsewhere or others. */
-  #light(tree: PackedTree, species: Species): void {
+  #light(tree: PackedTree, species: Species, given?: GroveLight): void {
     const { foliage, leaves } = species;
     const key = [foliage.cover, foliage.size, foliage.outline, foliage.margin, leaves.shape, leaves.scaleX].join();
-    if (this.#lit?.tree === tree && this.#lit.key === key) return;
-    this.#lit = { tree, key };
+    const of = given ?? tree;
+    if (this.#lit?.of === of && this.#lit.key === key) return;
+    this.#lit = { of, key };
     const { crownLight, crownLow, crownSize } = this.#host.shared;
-    const { cells, low, size, data } = treeLight(tree, species);
+    const { cells, low, size, data } = given ?? treeLight(tree, species);
     crownLight.value?.dispose();
     const texture = new Data3DTexture(data, cells, cells, cells);
     texture.name = 'light in the crown';

@@ -36,15 +36,20 @@ export function branchMaterials(defines: readonly string[], uniforms: Record<str
   return { standard, depth, distance };
 }
 
-/** Materials for leaves and organs. `defines`: LEAF_VEINS, LEAF_ORGAN. */
-export function leafMaterials(defines: readonly string[], uniforms: Record<string, IUniform>): MaterialSet {
+/** Materials for leaves and organs. `defines`: LEAF_VEINS, LEAF_ORGAN. `cast`: uniforms that are others in shadow maps. */
+export function leafMaterials(
+  defines: readonly string[],
+  uniforms: Record<string, IUniform>,
+  cast: Record<string, IUniform> = {},
+): MaterialSet {
   const key = `windgrove leaf ${defines.join(' ')}`;
   const standard = new MeshStandardMaterial({ metalness: 0, side: DoubleSide });
   const depth = new MeshDepthMaterial({ side: DoubleSide });
   const distance = new MeshDistanceMaterial({ side: DoubleSide });
   for (const material of [standard, depth, distance]) {
     material.defines = { ...material.defines, ...Object.fromEntries(defines.map((name) => [name, ''])) };
-    inject(material, key, material === standard ? LEAF_STANDARD : LEAF_DEPTH, uniforms);
+    if (material === standard) inject(material, key, LEAF_STANDARD, uniforms);
+    else inject(material, key, LEAF_DEPTH, { ...uniforms, ...cast });
   }
   return { standard, depth, distance };
 }

@@ -2,33 +2,45 @@ import {
   type Box3,
   type Camera,
   type DataArrayTexture,
+  DoubleSide,
   type InstancedBufferGeometry,
-  type LineSegments,
+  LineSegments,
   Mesh,
   Object3D,
   type ShaderMaterial,
+  type Vector2,
   type Vector3,
   type Vector4,
 } from 'three';
+import type { GroveLight } from '../core/look/grove-light.ts';
 import { COLLAR, levelShape } from '../core/mesh/level-shape.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
-import { barkDefines, deepLod, deepShare, disposeBarkLook, type StemForm, setBarkLook } from './bark-look.ts';
+import { deepLod, deepShare, disposeBarkLook, type StemForm, setBarkLook } from './bark-look.ts';
 import { branchGeometry, bundleFor, recount } from './branch-geometry.ts';
 import { CHANNELS, channelUniforms } from './channel-texels.ts';
+import { castCoarsely } from './coarse-shadow.ts';
 import { controlLines, setControlLines } from './control-lines.ts';
-import { type Detail, gridDetail } from './detail.ts';
+import type { DrawnElements, PaperRange } from './degradation.ts';
+import type { DegradedTree } from './degraded-tree.ts';
+import { type Detail, type GridDetail, gridDetail, shadowBands, stemsDrawn } from './detail.ts';
+import type { Foliage, GroveParts } from './forest/grove-parts.ts';
 import { sectorsForLobes } from './grid.ts';
+import { morphTo, type NextGrid, nextGrid } from './grid-morph.ts';
 import { levelColour } from './level-colours.ts';
 import type { ChannelView } from './picture/picture.ts';
 import { pixelsPerMetre } from './pixel-size.ts';
+import { stemDefines } from './stem-defines.ts';
 import { type LevelExtent, levelExtents, windBox } from './tree-extent.ts';
 import { TreeLeaves } from './tree-leaves.ts';
 import { branchMaterials, disposeMaterials, dress, type MaterialSet } from './tree-materials.ts';
-import { barkUniforms, type LevelUniforms, levelUniforms, sharedUniforms } from './uniforms.ts';
+import { barkUniforms, type LevelUniforms, levelUniforms, type SharedUniforms, sharedUniforms } from './uniforms.ts';
 
 /** How a tree is drawn: its surface, its triangles, what the GPU moves, or its stems coloured by level. */
 export type Mode = 'shaded' | 'wireframe' | 'control' | 'levels';
+
+/** Pieces of a level that are looked at in a grove: its draw order is spread evenly over its trees. */
+const GROVE_SAMPLE = 512;
 
 /** What is to be drawn of a tree. */
 export interface Shown {
@@ -38,6 +50,8 @@ export interface Shown {
   leaves: boolean;
   detail: Detail;
   leafBudget: number;
+  /** Leaves out at range what Weber & Penn's rules do, in place of what does not show. */
+  paper?: PaperRange | null;
 }
 
 /** A mesh whose vertices the shader makes. */
@@ -53,14 +67,10 @@ interface Level {
   count: number;
   /** Stands for the sectors and bands of the mesh's geometry; 0 for none. Compared for every camera: it allocates nothing. */
   drawn: number;
-}
-
-/** The parts of the deformer's programs that a level needs; each that is left out saves work at every vertex. */
-function definesOf(level: number, species: Species, paper: boolean, form: StemForm = 'tube'): string[] {
-  const { taper, lobeDepth, bulgeDepth } = levelShape(species, level);
-  const plain = level > 0 && bulgeDepth === 0 && lobeDepth === 0 && taper <= 1;
-  const shape = [level === 0 ? 'FLARED' : '', plain ? 'PLAIN_STEM' : '', paper ? 'PAPER_FORMS' : ''].filter(Boolean);
-  return [...shape, ...barkDefines(level, species, form), ...(form === 'ribbon' ? ['RIBBON'] : [])];
+  /** Pieces that it draws. */
+  many: number;
+  /** What follows what is drawn. */
+  next: NextGrid | null;
 }
 
 /**
@@ -71,11 +81,17 @@ function definesOf(level: number, species: Species, paper: boolean, form: StemFo
 export class TreeParts extends Object3D {
   readonly isLOD = true;
   readonly autoUpdate = true;
-  readonly shared = sharedUniforms();
+  readonly shared: SharedUniforms;
   readonly bark = barkUniforms();
   readonly shown: Shown;
   readonly channelLook = channelUniforms();
   readonly leaves = new TreeLeaves(this);
+  /** What hangs on the branches: the leaves, or what a grove has in their place. */
+  readonly #foliage: Foliage;
+  readonly #grove: GroveParts | null;
+  /** Draws by the paper's rules of degradation; loaded when they are first asked for. */
+  #degraded: DegradedTree | null = null;
+  readonly #lineScale = { value: 540 };
   #channel: ChannelView | null = null;
   /** Height of the picture in pixels, for the choice of detail. */
   pictureHeight = 1080;
@@ -87,30 +103,65 @@ export class TreeParts extends Object3D {
   #paper = false;
   #shadows = { cast: true, receive: true };
 
-  constructor(shown: Shown) {
+  /** `grove`: it is not one tree that is drawn but many that were merged. */
+  constructor(shown: Shown, grove: GroveParts | null = null) {
     super();
     this.shown = shown;
+    this.#grove = grove;
+    this.shared = { ...sharedUniforms(), ...grove?.uniforms };
+    this.#foliage = grove?.foliage?.(this) ?? this.leaves;
     this.rotation.x = -Math.PI / 2; // z up to y up
     this.name = 'tree parts';
   }
 
-  /** Takes a new tree. Materials and their programs stay; geometry is made anew at the next frame. */
-  setTree(tree: PackedTree, species: Species): void {
+  /** Makes drawing by the paper's rules possible: most never do, and need not wait for its code. */
+  async loadDegradation(): Promise<void> {
+    const { DegradedTree } = await import('./degraded-tree.ts');
+    const { shown, shared, bark, channelLook } = this;
+    this.#degraded ??= new DegradedTree({
+      shown,
+      shared,
+      bark,
+      look: this.leaves.look,
+      channelLook,
+      lineScale: this.#lineScale,
+      viewDefines: () => this.viewDefines(),
+      adopt: (part, name) => this.#adopt(part, name),
+    });
+  }
+
+  /** Trees that are drawn as one. */
+  get treeCount(): number {
+    return this.#grove?.count ?? 1;
+  }
+
+  /** Pixels that a metre takes of what is in `box`; in a grove at the tree that is nearest. */
+  scaleOf(camera: Camera, box: Box3): number {
+    const { matrixWorld, pictureHeight } = this;
+    return this.#grove
+      ? this.#grove.nearest(camera, matrixWorld, pictureHeight)
+      : pixelsPerMetre(camera, matrixWorld, box, pictureHeight);
+  }
+
+  /** Takes a new tree. Materials and their programs stay; geometry is made anew at the next frame. `light`: that of a grove's crowns. */
+  setTree(tree: PackedTree, species: Species, light?: GroveLight): void {
     this.#tree = tree;
     this.#box = windBox(tree.bounds);
-    const extents = levelExtents(tree);
+    const extents = levelExtents(tree, this.#grove ? GROVE_SAMPLE : undefined);
     while (this.#levels.length > tree.levels.length) this.#dropLevel();
     const former = this.#species;
     this.#species = species;
     tree.levels.forEach(({ start, count }, i) => {
       const level = this.#levels[i] ?? this.#addLevel(i);
       Object.assign(level, { start, count, extent: extents[i], drawn: 0 });
-      const same = former && String(definesOf(i, former, false)) === String(definesOf(i, species, false));
+      const same = former && String(stemDefines(i, former, false)) === String(stemDefines(i, species, false));
       if (!same) this.#dropMaterials(level);
       this.#setShape(level, i, species);
     });
     this.#setLook(tree, species);
-    this.leaves.setTree(tree, species);
+    this.#degraded?.leave();
+    this.leaves.setTree(tree, species, light);
+    if (this.#foliage !== this.leaves) this.#foliage.setTree(tree, species, light);
     this.#applyMode();
   }
 
@@ -120,24 +171,57 @@ export class TreeParts extends Object3D {
     const tree = this.#tree;
     if (!tree || !this.#species || !this.#box) return;
     const surfaces = shown.mode !== 'control';
+    const degraded = this.#degraded;
+    const paper = surfaces && degraded ? shown.paper : null;
+    if (degraded && paper) {
+      const place = { matrixWorld: this.matrixWorld, box: this.#box, pictureHeight: this.pictureHeight };
+      const levels = this.#levels.map(({ uniforms }) => uniforms);
+      degraded.fit(camera, place, tree, this.#species, levels, paper);
+    } else degraded?.hide();
     this.#levels.forEach((level, i) => {
-      level.mesh.visible = surfaces && i < shown.levels && level.count > 0;
+      level.mesh.visible = surfaces && !paper && i < shown.levels && level.count > 0;
       if (level.mesh.visible) this.#fitLevel(level, i, camera);
     });
-    this.leaves.fit(camera, this.#box);
+    if (paper) for (const mesh of this.#foliage.meshes()) mesh.visible = false;
+    else this.#foliage.fit(camera, this.#box);
     this.#fitLines(tree);
   }
 
   /** Triangles, draw calls, pieces and leaves of the frame that was drawn last, shadows left out. */
   stats(): { triangles: number; drawCalls: number; pieces: number; leaves: number } {
+    const atRange = this.elementsDrawn;
+    if (atRange) {
+      const { trunkTriangles, mainTriangles, otherTriangles, leafTriangles, leafPoints } = atRange;
+      return {
+        triangles: trunkTriangles + mainTriangles + otherTriangles + leafTriangles,
+        drawCalls: this.#degraded?.drawCalls ?? 0,
+        pieces: this.#levels.slice(0, this.shown.levels).reduce((sum, { count }) => sum + count, 0),
+        leaves: leafPoints,
+      };
+    }
     const drawn = this.#levels.filter(({ mesh }) => mesh.visible);
-    const meshes = [...drawn.map(({ mesh }) => mesh), ...this.leaves.meshes().filter(({ visible }) => visible)];
+    const meshes = [...drawn.map(({ mesh }) => mesh), ...this.#foliage.meshes().filter(({ visible }) => visible)];
     return {
       triangles: meshes.reduce((sum, { geometry }) => sum + Number(geometry.userData.triangles ?? 0), 0),
       drawCalls: meshes.length + (this.#lines?.visible ? 1 : 0),
-      pieces: drawn.reduce((sum, { count }) => sum + count, 0),
-      leaves: this.leaves.count,
+      pieces: drawn.reduce((sum, { many }) => sum + many, 0),
+      leaves: this.#foliage.count,
     };
+  }
+
+  /** The time in sixteenths of a beat, 0..1, and where the wind blows to. */
+  setWind(beats: number, way: Vector2): void {
+    this.#foliage.setWind(beats, way);
+  }
+
+  /** What the last frame drew by the paper's rules of degradation; null where it did not. */
+  get elementsDrawn(): DrawnElements | null {
+    return this.shown.paper && this.shown.mode !== 'control' ? (this.#degraded?.drawn() ?? null) : null;
+  }
+
+  /** The calibrated range that the last frame was degraded for. */
+  get r2(): number {
+    return this.#degraded?.r2 ?? Number.NaN;
   }
 
   /** Draws by the paper's printed frames and sections, for teaching. */
@@ -150,12 +234,15 @@ export class TreeParts extends Object3D {
   /** Their programs are others: what is drawn next makes them anew. */
   #dropAllMaterials(): void {
     for (const level of this.#levels) this.#dropMaterials(level);
-    this.leaves.dropMaterials();
+    this.#foliage.dropMaterials();
+    this.#degraded?.dropMaterials();
   }
 
   setShadows(cast: boolean, receive: boolean): void {
     this.#shadows = { cast, receive };
-    for (const mesh of this.#meshes()) Object.assign(mesh, { castShadow: cast, receiveShadow: receive });
+    for (const mesh of [...this.#meshes(), ...(this.#degraded?.objects() ?? [])]) {
+      Object.assign(mesh, { castShadow: cast && !(mesh instanceof LineSegments), receiveShadow: receive });
+    }
   }
 
   /** Colours the tree by a channel, of which `texels` (its own from now on) tells; null: as bark and leaves are. */
@@ -179,6 +266,8 @@ export class TreeParts extends Object3D {
   override dispose(): void {
     while (this.#levels.length > 0) this.#dropLevel();
     this.leaves.dispose();
+    this.#degraded?.dispose();
+    if (this.#foliage !== this.leaves) this.#foliage.dispose();
     this.#lines?.geometry.dispose();
     this.#lines?.material.dispose();
     disposeBarkLook(this.bark);
@@ -189,7 +278,7 @@ export class TreeParts extends Object3D {
   }
 
   #meshes(): TreeMesh[] {
-    return [...this.#levels.map(({ mesh }) => mesh), ...this.leaves.meshes()];
+    return [...this.#levels.map(({ mesh }) => mesh), ...this.#foliage.meshes()];
   }
 
   #addLevel(index: number): Level {
@@ -203,6 +292,8 @@ export class TreeParts extends Object3D {
       start: 0,
       count: 0,
       drawn: 0,
+      many: 0,
+      next: null,
     };
     this.#levels.push(level);
     return level;
@@ -210,19 +301,25 @@ export class TreeParts extends Object3D {
 
   /** A mesh of this tree, without a geometry. */
   newMesh(name: string): TreeMesh {
-    const mesh: TreeMesh = new Mesh();
-    mesh.name = name;
-    mesh.castShadow = this.#shadows.cast;
-    mesh.receiveShadow = this.#shadows.receive;
-    mesh.raycast = () => {}; // the tree as a whole answers a ray
-    this.add(mesh);
-    mesh.updateWorldMatrix(true, false); // it may come after the scene's matrices were updated for this frame
+    const mesh = this.#adopt(new Mesh() as TreeMesh, name);
+    castCoarsely(mesh);
     return mesh;
+  }
+
+  #adopt<Part extends Object3D>(part: Part, name: string): Part {
+    part.name = name;
+    part.castShadow = this.#shadows.cast;
+    part.receiveShadow = this.#shadows.receive;
+    part.raycast = () => {}; // the tree as a whole answers a ray
+    this.add(part);
+    part.updateWorldMatrix(true, false); // it may come after the scene's matrices were updated for this frame
+    return part;
   }
 
   #dropLevel(): void {
     const level = this.#levels.pop();
     if (!level) return;
+    this.#degraded?.dispose(); // it draws with the uniforms of the levels
     this.remove(level.mesh);
     level.mesh.geometry.dispose();
     this.#dropMaterials(level);
@@ -255,43 +352,70 @@ export class TreeParts extends Object3D {
 
   #fitLevel(level: Level, index: number, camera: Camera): void {
     const { extent, count, mesh, uniforms } = level;
-    const scale = pixelsPerMetre(camera, this.matrixWorld, extent.box, this.pictureHeight);
+    const scale = this.scaleOf(camera, extent.box);
     const pixels = extent.radius * scale;
     const { bark } = this.#species as Species;
-    const deep = deepShare(index, bark, pixels, scale);
-    const grid = gridDetail(index, pixels, count, this.shown.detail, deep > 0 ? extent.slenderness : 0);
+    const deepAt = (radius: number): number => deepShare(index, bark, radius, radius / extent.radius);
+    const gridAt = (radius: number): GridDetail =>
+      gridDetail(index, radius, count / this.treeCount, this.shown.detail, deepAt(radius) > 0 ? extent.slenderness : 0);
+    const deep = deepAt(pixels);
+    const grid = gridAt(pixels);
     const [a] = uniforms.stemShape.value as [Vector4, Vector4];
     const sectors = sectorsForLobes(grid.sectors, a.z, a.w);
     // The rest of the spec is the tree's: `setTree` forgets what was drawn.
-    const drawn = (deep > 0 ? 65536 : 0) + sectors * 256 + grid.bands;
+    const shadow = shadowBands(index, grid.bands, this.shown.detail);
+    const drawn = ((shadow * 2 + (deep > 0 ? 1 : 0)) * 256 + sectors) * 256 + grid.bands;
     uniforms.barkDepth.value.set(deep * bark.depth, deepLod(bark, extent.radius, sectors));
-    if (level.drawn === drawn) return;
+    // A trunk is never thinned: it carries all that is seen.
+    const many = index === 0 ? count : stemsDrawn(count, pixels, this.shown.detail);
+    uniforms.stemGrowth.value = count / many;
+    const fresh = level.drawn !== drawn || level.many !== many;
+    if (fresh) level.next = pixels > 0 ? nextGrid(pixels, gridAt) : null;
+    const { next } = level;
+    const gathers = next !== null && next.bands <= grid.bands && !(a.x > 1.2 && a.x <= 2);
+    uniforms.gridMorph.value.set(
+      next ? morphTo(next, pixels) : 0,
+      grid.bands,
+      gathers ? next.bands : grid.bands,
+      next?.sectors === 1 ? sectors : 0,
+    );
+    if (!fresh) return;
     // Below 1 the taper leaves the tip open.
-    const spec = { sectors, bands: grid.bands, cap: a.x < 1, round: a.x > 1.2 && a.x <= 2, bundle: bundleFor(count) };
-    const made = String(Object.values(spec));
+    const spec = {
+      sectors,
+      bands: grid.bands,
+      cap: a.x < 1,
+      round: a.x > 1.2 && a.x <= 2,
+      bundle: bundleFor(count),
+      coarse: next ? sectorsForLobes(next.sectors, a.z, a.w) : 1,
+    };
+    const made = String([...Object.values(spec), shadow]);
     if (made === mesh.geometry.userData.made) {
-      recount(mesh.geometry, count, spec.bundle, this.#box as Box3);
+      recount(mesh.geometry, many, spec.bundle, this.#box as Box3);
     } else {
       mesh.geometry.dispose();
-      mesh.geometry = branchGeometry(spec, count, this.#box as Box3);
+      mesh.geometry = branchGeometry(spec, many, this.#box as Box3, shadow);
       mesh.geometry.userData.made = made;
     }
-    uniforms.branchRange.value.set(level.start, count, spec.bundle);
-    dress(mesh, this.#branchSet(level, index, sectors === 1 ? 'ribbon' : deep > 0 ? 'deep' : 'tube'));
-    level.drawn = drawn;
+    uniforms.branchRange.value.set(level.start, many, spec.bundle);
+    const { standard } = this.#branchSet(level, index, sectors === 1 ? 'ribbon' : deep > 0 ? 'deep' : 'tube');
+    // In shadow maps every stem is a ribbon that faces the light: the outline is the same.
+    dress(mesh, { ...this.#branchSet(level, index, 'ribbon'), standard });
+    Object.assign(level, { drawn, many });
   }
 
   #branchSet(level: Level, index: number, form: StemForm): MaterialSet {
     const made = level.sets[form];
     if (made) return made;
     const species = this.#species as Species;
-    const set = branchMaterials([...definesOf(index, species, this.#paper, form), ...this.viewDefines()], {
+    const set = branchMaterials([...stemDefines(index, species, this.#paper, form), 'MORPHED', ...this.viewDefines()], {
       ...this.shared,
       ...this.bark,
       ...this.channelLook,
       ...level.uniforms,
     });
     set.standard.roughness = species.bark.roughness;
+    set.standard.shadowSide = DoubleSide;
     set.standard.wireframe = this.shown.mode === 'wireframe';
     level.sets[form] = set;
     return set;
@@ -299,7 +423,7 @@ export class TreeParts extends Object3D {
 
   /** Names that every material of the tree is compiled with. */
   viewDefines(): string[] {
-    return this.#channel ? ['CHANNEL_VIEW'] : [];
+    return [this.#channel ? 'CHANNEL_VIEW' : '', this.#grove ? 'GROVE' : ''].filter(Boolean);
   }
 
   #fitLines(tree: PackedTree): void {
@@ -325,7 +449,8 @@ export class TreeParts extends Object3D {
       // A channel stands in place of the tint; its surface is as plain.
       uniforms.levelTint.value.set(tint[0], tint[1], tint[2], mode === 'levels' || this.#channel ? 1 : 0);
     });
-    this.leaves.setWireframe(mode === 'wireframe');
+    this.#foliage.setWireframe(mode === 'wireframe');
+    this.#degraded?.setWireframe(mode === 'wireframe');
   }
 }
 

@@ -27,6 +27,17 @@ export function sharedUniforms() {
   };
 }
 
+/** What the materials of a grove have besides: its trees, and how they fade. */
+export function groveUniforms() {
+  return {
+    trees: { value: null as DataArrayTexture | null },
+    treeLog2Width: { value: 0 },
+    forestEye: { value: new Vector3() },
+    forestScale: { value: 1 },
+    forestFade: { value: new Vector4(-1, 0, 1e9, 2e9) },
+  };
+}
+
 /** The uniforms of the bark. */
 export function barkUniforms() {
   return {
@@ -47,9 +58,11 @@ export function barkUniforms() {
 export function levelUniforms() {
   return {
     branchRange: { value: new Vector3() },
+    stemGrowth: { value: 1 },
     stemShape: { value: [new Vector4(), new Vector4()] },
     levelTint: { value: new Vector4(0, 0, 0, 0) },
     barkDepth: { value: new Vector2() },
+    gridMorph: { value: new Vector4(0, 1, 1, 0) },
   };
 }
 
@@ -76,6 +89,7 @@ export function leafUniforms() {
 }
 
 export type SharedUniforms = ReturnType<typeof sharedUniforms>;
+export type GroveUniforms = ReturnType<typeof groveUniforms>;
 export type BarkUniforms = ReturnType<typeof barkUniforms>;
 export type LevelUniforms = ReturnType<typeof levelUniforms>;
 export type LeafUniforms = ReturnType<typeof leafUniforms>;

@@ -1,10 +1,11 @@
 import { Vector2, type WebGLRenderer } from 'three';
 import type { PackedTree } from '../core/pack/packed.ts';
-import { createWindState } from '../core/wind/fade.ts';
+import { createWindState, type WindState } from '../core/wind/fade.ts';
 import { windForce } from '../core/wind/force.ts';
 import { capabilitiesOf } from '../gpu/capabilities.ts';
 import { CpuPoser } from '../gpu/cpu-poser.ts';
 import type { Poser } from '../gpu/poser.ts';
+import type { Near } from '../gpu/state-run.ts';
 import { TreeTextures } from '../gpu/tree-textures.ts';
 import { WindPass } from '../gpu/wind-pass.ts';
 import { FeltWind } from './felt-wind.ts';
@@ -21,6 +22,8 @@ export class WindLane {
   readonly felt = new FeltWind();
   /** Direction towards which it blows at the tree, tree axes; shorter than 1 where it hardly does. */
   readonly way = new Vector2();
+  /** Metres of force in the middle of the tree, as of the last `update`. */
+  force = 0;
   readonly #state = createWindState();
   #textures: TreeTextures | null = null;
   #poser: Poser | null = null;
@@ -28,6 +31,11 @@ export class WindLane {
   /** null before the first `update`. */
   get textures(): TreeTextures | null {
     return this.#textures;
+  }
+
+  /** The wind of the last `update`. */
+  get state(): Readonly<WindState> {
+    return this.#state;
   }
 
   get poser(): Poser | null {
@@ -45,8 +53,8 @@ export class WindLane {
     this.#poser = null;
   }
 
-  /** Poses `tree` as of `time` seconds; the same tree until `leave` or `drop`. `near`: its springs begin with the wind of that time, until `settle`. */
-  update(renderer: WebGLRenderer, tree: PackedTree, time: number, near = false): TreeTextures {
+  /** Poses `tree` as of `time` seconds; the same tree until `leave` or `drop`. `near`: its springs begin with the wind of that time, until `settle`, or `always`. */
+  update(renderer: WebGLRenderer, tree: PackedTree, time: number, near: Near = false): TreeTextures {
     let textures = this.#textures;
     if (!textures || !this.#poser) {
       if (!textures?.retake(tree)) {
@@ -60,7 +68,8 @@ export class WindLane {
     this.#poser.update(renderer, time, this.felt);
     this.felt.fill(time, this.#state);
     const [x, y] = windForce(this.#state, 0, 0, this.#state.profiled ? (tree.crown[2] as number) : 0);
-    this.way.set(x, y).divideScalar(Math.hypot(x, y) + HINT);
+    this.force = Math.hypot(x, y);
+    this.way.set(x, y).divideScalar(this.force + HINT);
     return textures;
   }
 

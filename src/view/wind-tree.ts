@@ -6,6 +6,7 @@ import type { Wind } from '../core/wind/wind.ts';
 import type { ReadBack } from '../gpu/poser.ts';
 import type { WindSource } from '../gpu/wind-source.ts';
 import { channelTexels } from './channel-texels.ts';
+import type { Degradation, DrawnElements, PaperRange } from './degradation.ts';
 import { type Detail, LEAF_BUDGET } from './detail.ts';
 import { pickBranch, pickCrown } from './pick.ts';
 import type { ChannelView } from './picture/picture.ts';
@@ -14,6 +15,7 @@ import { type Mode, TreeParts } from './tree-parts.ts';
 import type { SharedUniforms } from './uniforms.ts';
 import { WindLane } from './wind-lane.ts';
 
+export type { Degradation, DrawnElements, PaperRange } from './degradation.ts';
 export type { Mode } from './tree-parts.ts';
 
 /** How a tree is drawn. */
@@ -22,6 +24,8 @@ export interface WindTreeOptions {
   detail?: Detail;
   /** Leaves drawn at most; the rest is left out evenly and the others grow to cover as much. */
   leafBudget?: number;
+  /** What is left out at range: what does not show (`screen`, default), or what Weber & Penn's rules leave out. */
+  degradation?: Degradation;
 }
 
 /** Which of two winds on the same tree: A is its own, B the one that it is compared with. */
@@ -40,6 +44,8 @@ export class WindTree extends Object3D {
    * makes up for it. Default false: what is seen is a function of the time alone.
    */
   startsNear = false;
+  /** How the paper's rules of degradation are applied; may be changed at any time. */
+  readonly paperRange: PaperRange = { quality: 1, season: 'summer', evergreen: false, r2: null };
   readonly #parts: TreeParts;
   readonly #a = new WindLane();
   #b: WindLane | null = null;
@@ -48,13 +54,15 @@ export class WindTree extends Object3D {
   #time = 0;
   #leaves: boolean | 'auto' = 'auto';
   #levels = Number.POSITIVE_INFINITY;
+  #paperLoaded: Promise<void> | null = null;
   readonly #size = new Vector2();
 
-  constructor({ detail = 'auto', leafBudget = LEAF_BUDGET[detail] }: WindTreeOptions = {}) {
+  constructor({ detail = 'auto', leafBudget = LEAF_BUDGET[detail], degradation = 'screen' }: WindTreeOptions = {}) {
     super();
     this.name = 'wind tree';
     this.#parts = new TreeParts({ mode: 'shaded', levels: Number.POSITIVE_INFINITY, leaves: true, detail, leafBudget });
     this.#parts.visible = false;
+    this.degradation = degradation;
     this.add(this.#parts);
   }
 
@@ -193,6 +201,26 @@ export class WindTree extends Object3D {
 
   set leafBudget(leaves: number) {
     this.#parts.shown.leafBudget = leaves;
+  }
+
+  /** What is left out at range. */
+  get degradation(): Degradation {
+    return this.#parts.shown.paper ? 'paper' : 'screen';
+  }
+
+  set degradation(degradation: Degradation) {
+    this.#parts.shown.paper = degradation === 'paper' ? this.paperRange : null;
+    if (degradation === 'paper') this.#paperLoaded ??= this.#parts.loadDegradation();
+  }
+
+  /** Kept once the code of `paper` is there, where that has been asked for; until then the tree is drawn as `screen` says. */
+  async degradationLoaded(): Promise<void> {
+    await this.#paperLoaded;
+  }
+
+  /** What the last frame drew by the paper's rules; null where it did not. */
+  get elementsDrawn(): DrawnElements | null {
+    return this.#parts.elementsDrawn;
   }
 
   /** How far the normals of the leaves turn towards the outside of the crown, 0..1. */

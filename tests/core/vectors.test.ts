@@ -4,6 +4,7 @@ import type { Adapters } from './vectors/case.ts';
 import { deform } from './vectors/deform.ts';
 import { grow } from './vectors/grow.ts';
 import { later } from './vectors/later.ts';
+import { lod } from './vectors/lod.ts';
 import { math } from './vectors/math.ts';
 import { pieces } from './vectors/pieces.ts';
 import { wind } from './vectors/wind.ts';
@@ -12,7 +13,7 @@ import { wind } from './vectors/wind.ts';
  * Numeric cases of the papers' corrected equations, in double precision. To add a function: an adapter in tests/core/vectors/, from
  * the input of its cases to their output.
  */
-const adapters: Adapters = { ...math, ...deform, ...wind, ...pieces, ...grow };
+const adapters: Adapters = { ...math, ...deform, ...wind, ...pieces, ...grow, ...lod };
 
 interface Case {
   name: string;

@@ -169,6 +169,21 @@ describe('a run that begins near', () => {
     expect(stateOf(400)).toBe(always(0, 400));
   });
 
+  test('always: no way is long, no end of a fade makes it jump, and nothing of the past is kept', () => {
+    run = new StateRun(told, 6, 40, 'always');
+    for (const step of [3000, 9000, 100]) {
+      expect(run.reach(step, step + 1, source)).toBe(true);
+      expect(told.latest.split(' ')).toHaveLength(2);
+    }
+    source.edit(7);
+    play(101, 120);
+    source.settle();
+    run.settle();
+    play(121, 150);
+    expect(told.latest.split(' ')).toHaveLength(52);
+    expect(told.kept.size).toBe(0);
+  });
+
   test('a run that did not begin near is left alone by settling', () => {
     run = new StateRun(told, 6, 40);
     seek(120);

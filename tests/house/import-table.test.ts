@@ -26,6 +26,9 @@ const table: Record<string, { rooms: string[]; packages: string[] }> = {
     packages: ['lit', 'zustand', 'zundo', 'uplot', 'idb-keyval', 'driver.js', 'fflate', 'mediabunny'],
   },
   learn: { rooms: ['learn', 'core', 'view', 'element'], packages: ['lit'] },
+  forest: { rooms: ['forest', 'core', 'view'], packages: ['lit'] },
+  range: { rooms: ['range', 'core', 'view'], packages: ['lit', 'three'] },
+  bench: { rooms: ['bench', 'core', 'view', 'gpu', 'worker'], packages: ['three', '@dgreenheck/ez-tree'] },
   cli: { rooms: ['cli', 'core'], packages: ['node:'] },
 };
 

@@ -1,6 +1,6 @@
 import { type Blade, coveringAs, flatBlade, LEAF_BEND, type LeafForm } from './blade.ts';
 import { LEAFLET, NEEDLE, OBOVATE } from './blade-outlines.ts';
-import type { LeafGrain } from './leaf-outline.ts';
+import type { HalfOutline, LeafGrain } from './leaf-outline.ts';
 import { PAPER_OUTLINES } from './paper-outlines.ts';
 
 /** Base, turn in degrees and size of each of three leaflets. */
@@ -26,12 +26,28 @@ const DROOP = { ...LEAF_BEND, curl: 0.22 };
 
 const rachis = (): Blade => flatBlade(NEEDLE.far, [0.02, 0.86], [0, 0], 0, 0, { ...LEAF_BEND, fold: 0, arch: 0 });
 
-function feather(width: number, grain: 'near' | 'middle'): Blade[] {
-  const pairs = grain === 'near' ? 6 : 4;
-  const out: Blade[] = grain === 'near' ? [rachis()] : [];
+/** A pair of leaflets as one chevron that points forward. */
+const PAIR: HalfOutline = [
+  [0, 0],
+  [0.5, 0.96],
+  [0, 1],
+];
+
+/** From some way off: five chevrons of two triangles each. */
+function chevrons(width: number): Blade[] {
+  const pitch = 0.2;
+  const out = [0, 1, 2, 3].map((i) =>
+    flatBlade(PAIR, [width * (1 - 0.08 * i), 1.25 * pitch], [0, 0.08 + pitch * i], 0, 0, { ...LEAF_BEND, curl: 0 }),
+  );
+  return [...out, flatBlade(LEAFLET.far, [0.36 * width, 0.24], [0, 0.78], 0, 0)];
+}
+
+function feather(width: number): Blade[] {
+  const pairs = 6;
+  const out: Blade[] = [rachis()];
   const pitch = 0.8 / pairs;
-  const leaflet = LEAFLET[grain];
-  const ribs = grain === 'near' ? 1 : 0;
+  const leaflet = LEAFLET.near;
+  const ribs = 1;
   for (let i = 0; i < pairs; i++) {
     const z = 0.1 + pitch * i;
     // The longest stand below the middle; all lean forward.
@@ -50,9 +66,9 @@ export const FEATHER: LeafForm = {
   name: 'feather of leaflets',
   veins: 'pinnate',
   blades: (width, grain) => {
-    const near = feather(width, 'near');
+    const near = feather(width);
     if (grain === 'near') return near;
-    const coarse = grain === 'middle' ? feather(width, 'middle') : [flatBlade(LEAFLET.far, [width, 1], [0, 0], 0, 0)];
+    const coarse = grain === 'middle' ? chevrons(width) : [flatBlade(LEAFLET.far, [width, 1], [0, 0], 0, 0)];
     return coveringAs(near, coarse);
   },
 };

@@ -6,6 +6,7 @@ import {
   SPRING_LAYERS,
   STATE_TARGETS,
   SWAY_LAYERS,
+  TREE_LAYERS,
 } from './layout.ts';
 
 const TABLES = {
@@ -16,6 +17,7 @@ const TABLES = {
   SPRING: SPRING_LAYERS,
   STATE: STATE_TARGETS,
   SWAY: SWAY_LAYERS,
+  TREE: TREE_LAYERS,
 };
 
 /**

@@ -25,7 +25,7 @@ export const BRANCH_LAYERS = {
   SPAN: 0,
   /** length of the stem in metres | phase of the bark in turns | depth of the piece | radius of the parent where it starts */
   STEM: 1,
-  /** axis of the parent in the piece's base frame: along L | T | S, all 0 but in the first piece of a branch | 0 */
+  /** axis of the parent in the piece's base frame: along L | T | S, all 0 but in the first piece of a branch | index of the tree in its grove, 0 in a tree that stands alone */
   JOINT: 2,
 } as const;
 
@@ -34,7 +34,7 @@ export const BRANCH_LAYERS = {
  * order, any prefix of it spread evenly over the crown. `leaf-texel.ts` writes and reads it.
  */
 export const LEAF_LAYERS = {
-  /** piece, and the top bit where its depth is odd | v, phase in turns: 16 bits each | rotation x, y | z, w: 16 bits each */
+  /** piece, and the top bit where its depth is odd; in a grove the tree's index from bit 20 on | v, phase in turns: 16 bits each | rotation x, y | z, w: 16 bits each */
   LEAF: 0,
 } as const;
 
@@ -44,6 +44,18 @@ export const POSE_TARGETS = {
   /** P1.xyz | O.y */ P1: 1,
   /** P2.xyz | O.z */ P2: 2,
   /** P3.xyz | stir: how hard the leaves there are shaken, in metres of force */ P3: 3,
+} as const;
+
+/** Read by everything that draws a grove; index = tree of the grove. Grove space: metres, z up. */
+export const TREE_LAYERS = {
+  /** where it stands x | y | z | height, metres */
+  PLACE: 0,
+  /** centre of the crown x | y | z | length of its leaves, in those of the grove */
+  CROWN: 1,
+  /** radii of the crown along the tree's own axes x | y | z | 0 */
+  RADII: 2,
+  /** cosine | sine of the angle that it is turned by, from x to y | part of it that has come | part that a nearer class has taken over where it may, 0..1 */
+  TURN: 3,
 } as const;
 
 /**

@@ -15,6 +15,18 @@ export interface LeafTexel {
   orientation: Quaternion;
 }
 
+/** Bits of a leaf's first word that hold its piece in a grove; those from there to the top bit hold the tree. */
+export const GROVE_PIECE_BITS = 20;
+/** Pieces and trees that a grove has at most: as many as those bits tell apart. */
+export const GROVE_PIECES = 1 << GROVE_PIECE_BITS;
+export const GROVE_TREES = 1 << (31 - GROVE_PIECE_BITS);
+
+/** Piece and tree of a leaf of a grove, from its first word. Twin: shaders/leaf/texel.glsl. */
+export const groveLeaf = (word: number): { piece: number; tree: number } => ({
+  piece: word & (GROVE_PIECES - 1),
+  tree: (word >>> GROVE_PIECE_BITS) & (GROVE_TREES - 1),
+});
+
 /** A number of 0..1 in 16 bits, as GLSL's packUnorm2x16 rounds it. */
 const unorm = (x: number): number => Math.floor(x * 65535 + 0.5);
 /** A number of -1..1 in 16 bits, as GLSL's packSnorm2x16 rounds it. */

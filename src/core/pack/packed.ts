@@ -30,6 +30,8 @@ export interface PackedTree {
   readonly leaves: TexelArray<Uint32Array>;
   /** What the stems are as springs: MECHANICS_SIZE numbers a piece, laid out as MECHANICS says. The GPU reads what is made of them. */
   readonly mechanics: Float32Array;
+  /** `leaves` holds cards of clumps (card-texel.ts) in place of leaves: a tree of a middle distance. */
+  readonly cards?: boolean;
   /** Length of a blade in metres, the same for all leaves of a tree. */
   readonly leafLength: number;
   /** Part of the branch order that each level holds. */

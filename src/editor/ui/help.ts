@@ -2,6 +2,7 @@ import { html, type TemplateResult } from 'lit';
 import { COMMANDS, type CommandGroup, keysOf } from '../shortcuts.ts';
 import { commandWords } from '../words/commands.ts';
 import { helpWords } from '../words/help.ts';
+import { pageWords } from '../words/pages.ts';
 import { toggle } from './choice.ts';
 import { icon } from './icons.ts';
 import { Part } from './panel.ts';
@@ -19,6 +20,9 @@ class Help extends Part {
       </div>
       <div class="keys">${groups.map((group) => this.group(group))}</div>
       ${toggle('shortcuts', helpWords.single, preferences.shortcuts, (on) => actions.setShortcuts(on))}
+      <nav class="keys" aria-label=${pageWords.heading}><section><h3>${pageWords.heading}</h3><dl>${pageWords.pages.map(
+        ({ name, about, href }) => html`<div><dt><a href=${href}>${name}</a></dt><dd>${about}</dd></div>`,
+      )}</dl></section></nav>
       <p class="source">${helpWords.source}</p>`;
   }
 

@@ -6,7 +6,7 @@ import type { ForceField } from '../force-field.ts';
 import type { Overlays } from '../picture/picture.ts';
 import { windDirection } from '../wind-direction.ts';
 import { Arrows } from './arrows.ts';
-import { Envelope, type TreeSize } from './envelope.ts';
+import type { Envelope, TreeSize } from './envelope.ts';
 import { Fronts } from './fronts.ts';
 import { Handle } from './handle.ts';
 import { Highlight } from './highlight.ts';
@@ -34,7 +34,11 @@ export class SceneOverlays extends Object3D {
   readonly #highlight: Highlight;
   readonly #selected: StemOutline;
   readonly #hovered: StemOutline;
-  readonly #envelope: Envelope;
+  /** Few trees are pruned: it is loaded when one first is. */
+  #envelope: Envelope | null = null;
+  #loading: Promise<void> | null = null;
+  #size: TreeSize | null = null;
+  readonly #changed: () => void;
   #ends: StemEnds | null = null;
   #wanted = NONE;
   #tree: PackedTree | null = null;
@@ -43,9 +47,13 @@ export class SceneOverlays extends Object3D {
   #glowing = Number.NaN;
   #touched = false;
 
-  /** `pose`: poseEven, poseOdd and poseLog2Width of the tree that the probe sticks to; `field`: the wind that is shown. */
-  constructor(pose: Record<string, IUniform>, field: ForceField) {
+  /**
+   * `pose`: poseEven, poseOdd and poseLog2Width of the tree that the probe sticks to; `field`: the wind that is shown; `changed` is called when something
+   * has come that was asked for before.
+   */
+  constructor(pose: Record<string, IUniform>, field: ForceField, changed: () => void) {
     super();
+    this.#changed = changed;
     const shared = this.#uniforms;
     this.#arrows = new Arrows(shared, field);
     this.#fronts = new Fronts(shared, field);
@@ -53,10 +61,9 @@ export class SceneOverlays extends Object3D {
     this.#highlight = new Highlight(shared, pose);
     this.#hovered = new StemOutline(shared, pose, 0.25);
     this.#selected = new StemOutline(shared, pose, 1);
-    this.#envelope = new Envelope(shared);
     this.stemHandles = new StemHandles(shared, pose);
     this.handle = new Handle(shared);
-    this.add(this.#fronts, this.#arrows, this.handle, this.#envelope);
+    this.add(this.#fronts, this.#arrows, this.handle);
     this.add(this.#highlight, this.#hovered, this.#selected, this.#marker, this.stemHandles);
     this.rotation.x = -Math.PI / 2; // tree space: z up to y up
     this.name = 'overlays';
@@ -92,7 +99,7 @@ export class SceneOverlays extends Object3D {
   setTree(tree: PackedTree, stems: StemTable, reach: number, crown: number, size: TreeSize): void {
     this.#tree = tree;
     this.#stems = stems;
-    this.#envelope.fit(size);
+    this.#size = size;
     this.#arrows.fit(reach);
     this.#fronts.fit(reach);
     this.handle.fit(reach, crown);
@@ -123,7 +130,8 @@ export class SceneOverlays extends Object3D {
 
   override dispose(): void {
     for (const part of [this.#arrows, this.#fronts, this.#marker, this.#highlight, this.handle]) part.dispose();
-    for (const part of [this.#selected, this.#hovered, this.stemHandles, this.#envelope]) part.dispose();
+    for (const part of [this.#selected, this.#hovered, this.stemHandles]) part.dispose();
+    this.#envelope?.dispose();
   }
 
   #showStems(): void {
@@ -142,8 +150,25 @@ export class SceneOverlays extends Object3D {
     this.#ends = held ? stemEnds(tree, stems, stem) : null;
     this.stemHandles.visible = this.#ends !== null;
     if (tree && this.#ends) this.stemHandles.set(tree, this.#ends);
-    this.#envelope.visible = tree !== null && envelope !== null;
-    if (envelope) this.#envelope.set(envelope);
+    if (envelope) this.#loading ??= this.#loadEnvelope();
+    this.#showEnvelope();
+  }
+
+  async #loadEnvelope(): Promise<void> {
+    const { Envelope } = await import('./envelope.ts');
+    this.#envelope = new Envelope(this.#uniforms);
+    this.add(this.#envelope);
+    this.#showEnvelope();
+    this.#changed();
+  }
+
+  #showEnvelope(): void {
+    const { envelope = null } = this.#wanted;
+    const drawn = this.#envelope;
+    if (!drawn) return;
+    drawn.visible = this.#size !== null && envelope !== null;
+    if (this.#size) drawn.fit(this.#size);
+    if (envelope) drawn.set(envelope);
   }
 
   #show(): void {

@@ -94,7 +94,7 @@ export class LivePicture implements Picture {
     this.canvas.tabIndex = 0;
     host.append(this.canvas);
     this.stage = new Stage(this.canvas);
-    this.overlays = new SceneOverlays(this.tree.poseUniforms, this.stage.field);
+    this.overlays = new SceneOverlays(this.tree.poseUniforms, this.stage.field, events.onChange);
     this.stage.scene.add(this.tree, this.overlays);
     this.timer = new GpuTimer(this.stage.renderer.getContext() as WebGL2RenderingContext);
     const { controls } = this.stage;

@@ -9,6 +9,7 @@ import {
   SPRING_LAYERS,
   STATE_TARGETS,
   SWAY_LAYERS,
+  TREE_LAYERS,
 } from '../../../src/core/pack/layout.ts';
 import { layoutGlsl } from '../../../src/core/pack/layout-glsl.ts';
 
@@ -26,8 +27,9 @@ it('states every layer of the tables as a GLSL constant', () => {
     SPRING_LOAD: SPRING_LAYERS.LOAD,
     STATE_END: STATE_TARGETS.END,
     SWAY_OFFSET: SWAY_LAYERS.OFFSET,
+    TREE_TURN: TREE_LAYERS.TURN,
   });
-  expect(stated).toHaveLength(5 + 3 + 1 + 4 + 3 + 3 + 2);
+  expect(stated).toHaveLength(5 + 3 + 1 + 4 + 3 + 3 + 2 + 4);
   expect(glsl).toContain('ivec3 texelAt(int index, int log2Width, int layer)');
 });
 
@@ -40,6 +42,7 @@ it('numbers the layers of each table from 0 without a gap', () => {
     SPRING_LAYERS,
     STATE_TARGETS,
     SWAY_LAYERS,
+    TREE_LAYERS,
     MECHANICS,
   ]) {
     expect(Object.values(table)).toEqual(Object.keys(table).map((_, i) => i));

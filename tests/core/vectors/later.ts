@@ -12,8 +12,6 @@ export const later: readonly string[] = [
   'swivel',
   'leaf_normals',
   'lsys',
-  'lod',
-  'lod_drawn',
   'morphology',
   'gvf',
   'snake_implicit',

@@ -1,0 +1,67 @@
+import { Tree } from '@dgreenheck/ez-tree';
+import { Box3, Group, Mesh, type MeshPhongMaterial, type Object3D, type Texture } from 'three';
+
+/** A tree of ez-tree's, and what it takes. */
+export interface EzTree {
+  readonly name: string;
+  readonly object: Object3D;
+  readonly update: (time: number) => void;
+  readonly bytes: number;
+}
+
+const imageOf = (texture: Texture | null | undefined): { width: number; height: number } | undefined =>
+  texture?.image as { width: number; height: number } | undefined;
+
+/** Vertices, indices, and its pictures with their mip maps. */
+function bytesOf(meshes: readonly Mesh[]): number {
+  let bytes = 0;
+  const textures = new Set<Texture>();
+  for (const { geometry, material } of meshes) {
+    for (const attribute of Object.values(geometry.attributes)) bytes += attribute.array.byteLength;
+    bytes += geometry.index?.array.byteLength ?? 0;
+    const { map, normalMap, aoMap, roughnessMap } = material as MeshPhongMaterial & { roughnessMap?: Texture };
+    for (const texture of [map, normalMap, aoMap, roughnessMap]) if (texture) textures.add(texture);
+  }
+  for (const texture of textures) {
+    const image = imageOf(texture);
+    bytes += ((image?.width ?? 0) * (image?.height ?? 0) * 4 * 4) / 3;
+  }
+  return bytes;
+}
+
+/** A preset of ez-tree at a height in metres; where there are more `places` (x, z) copies of it share its vertices. */
+export async function ezTree(
+  preset: string,
+  height: number,
+  places: readonly (readonly [number, number])[] = [[0, 0]],
+): Promise<EzTree> {
+  const tree = new Tree();
+  tree.loadPreset(preset);
+  const own = new Box3().setFromObject(tree);
+  const { branchesMesh, leavesMesh } = tree;
+  const { map: bark } = branchesMesh.material as MeshPhongMaterial;
+  const { map: leaf } = leavesMesh.material as MeshPhongMaterial;
+  // The package says nothing when its pictures are there: a texture then has its image.
+  while (!imageOf(bark) || !imageOf(leaf)) await new Promise(requestAnimationFrame);
+  const group = new Group();
+  const scale = height / own.max.y;
+  for (const [x, z] of places) {
+    const copy = new Group();
+    for (const mesh of [branchesMesh, leavesMesh]) {
+      const part = new Mesh(mesh.geometry, mesh.material);
+      part.castShadow = true;
+      part.receiveShadow = true;
+      copy.add(part);
+    }
+    copy.position.set(x, 0, z);
+    copy.rotation.y = 1.7 * x + 2.3 * z;
+    copy.scale.setScalar(scale);
+    group.add(copy);
+  }
+  return {
+    name: `ez-tree 1.1.0, ${preset}`,
+    object: group,
+    update: (time) => tree.update(time),
+    bytes: bytesOf([branchesMesh, leavesMesh]),
+  };
+}
