@@ -77,7 +77,7 @@ describe('a forest file', () => {
 });
 
 describe('the scenes that ship', () => {
-  test.each(ids('forests/index.json'))('%s: full of trees, its eye in a clearing above the ground', (id) => {
+  test.each(ids('forests/index.json'))('%s: full of trees, its eye over them or in a clearing', (id) => {
     const { forest, faults } = parseForest(json(`forests/${id}.json`), shipped);
     expect(faults?.map(faultText)).toBeUndefined();
     const field = forestField(forest!, null);
@@ -87,8 +87,10 @@ describe('the scenes that ship', () => {
     const kinds = forest!.mix.map((_, i) => places.species.filter((s) => s === i).length / places.count);
     expect(Math.min(...kinds)).toBeGreaterThan(0.01);
     const { x, y, z } = forest!.camera!;
-    expect(z - heightAt(field, x, y)).toBeGreaterThan(1.6);
-    expect(densityAt(density, x, y)).toBe(0);
+    const up = z - heightAt(field, x, y);
+    expect(up).toBeGreaterThan(1.6);
+    // Higher than any of them grows, or where none stands.
+    if (up < 25) expect(densityAt(density, x, y)).toBe(0);
     expect(roundForest(forest!)).toEqual(forest);
   });
 });
