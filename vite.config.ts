@@ -1,6 +1,7 @@
 import { resolve } from 'node:path';
 import { defineConfig } from 'vite';
 import { shaders } from './vite.glsl.ts';
+import { site } from './vite.site.ts';
 
 /** Pages that ship and are built together; vite.further.config.ts has the others, vite.pages.config.ts those of the browser tests. */
 const pages = ['index.html', 'crosscheck.html'];
@@ -15,7 +16,7 @@ export default defineConfig({
   base: './',
   server: { open: desktop && process.env.npm_lifecycle_event === 'start' },
   preview: { open: false },
-  plugins: [shaders()],
+  plugins: [shaders(), site()],
   // zundo asks for all of zustand, which brings React with it; it uses what the plain part has.
   resolve: { alias: [{ find: /^zustand$/, replacement: 'zustand/vanilla' }] },
   worker: { format: 'es' },

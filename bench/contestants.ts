@@ -1,6 +1,6 @@
-import { Tree } from '@dgreenheck/ez-tree';
-import { Box3, type MeshPhongMaterial, type Object3D, type WebGLRenderer } from 'three';
+import { Box3, type Object3D, type WebGLRenderer } from 'three';
 import { shippedWind } from '../e2e/pages/shipped-wind.ts';
+import { loadPreset } from '../src/bench/ez.ts';
 import { parseSpecies } from '../src/core/species/parse.ts';
 import { inSeason, type Season } from '../src/core/species/season.ts';
 import { uprightBox } from '../src/view/tree-extent.ts';
@@ -21,16 +21,10 @@ export interface Contestant {
 
 /** ez-tree's preset at a height in metres. A leaf is two crossed quads; its wind moves leaves only, branches stand still. */
 export async function ezTree(preset: string, height: number): Promise<Contestant> {
-  const tree = new Tree();
-  // Loads and generates.
-  tree.loadPreset(preset);
+  const tree = await loadPreset(preset);
   const own = new Box3().setFromObject(tree);
   tree.scale.setScalar(height / own.max.y);
   tree.updateMatrixWorld(true);
-  const { map: bark, normalMap, aoMap } = tree.branchesMesh.material as MeshPhongMaterial;
-  const { map: leaf } = tree.leavesMesh.material as MeshPhongMaterial;
-  // The package starts loading when it is imported and says nothing when it is done: a texture then has its image.
-  while (![bark, normalMap, aoMap, leaf].every((texture) => texture?.image)) await new Promise(requestAnimationFrame);
   return {
     name: `ez-tree 1.1.0, ${preset}`,
     object: tree,

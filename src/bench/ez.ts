@@ -29,20 +29,25 @@ function bytesOf(meshes: readonly Mesh[]): number {
   return bytes;
 }
 
+/** A preset of ez-tree with its pictures. It begins to load them when it is imported and says nothing when they are there: a texture then has its image. */
+export async function loadPreset(preset: string): Promise<Tree> {
+  const tree = new Tree();
+  tree.loadPreset(preset);
+  const { map: bark, normalMap, aoMap } = tree.branchesMesh.material as MeshPhongMaterial;
+  const { map: leaf } = tree.leavesMesh.material as MeshPhongMaterial;
+  while (![bark, normalMap, aoMap, leaf].every(imageOf)) await new Promise(requestAnimationFrame);
+  return tree;
+}
+
 /** A preset of ez-tree at a height in metres; where there are more `places` (x, z) copies of it share its vertices. */
 export async function ezTree(
   preset: string,
   height: number,
   places: readonly (readonly [number, number])[] = [[0, 0]],
 ): Promise<EzTree> {
-  const tree = new Tree();
-  tree.loadPreset(preset);
+  const tree = await loadPreset(preset);
   const own = new Box3().setFromObject(tree);
   const { branchesMesh, leavesMesh } = tree;
-  const { map: bark } = branchesMesh.material as MeshPhongMaterial;
-  const { map: leaf } = leavesMesh.material as MeshPhongMaterial;
-  // The package says nothing when its pictures are there: a texture then has its image.
-  while (!imageOf(bark) || !imageOf(leaf)) await new Promise(requestAnimationFrame);
   const group = new Group();
   const scale = height / own.max.y;
   for (const [x, z] of places) {

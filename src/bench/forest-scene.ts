@@ -4,7 +4,7 @@ import { heightAt } from '../core/forest/height-field.ts';
 import { forestField } from '../core/forest/terrain.ts';
 import { Forest } from '../view/forest/forest.ts';
 import { ForestStage } from '../view/forest/forest-stage.ts';
-import { shippedSpecies, shippedWind } from './load.ts';
+import { loadSpecies, loadWind } from '../view/load.ts';
 import { type Bench, SIZE } from './section.ts';
 
 /** Milliseconds after which a forest is measured as it is. */
@@ -36,10 +36,10 @@ export class ForestScene {
       budget: 1e9,
     };
     const field = forestField(document, null);
-    const species = new Map([['quaking-aspen', await shippedSpecies('quaking-aspen')]]);
+    const species = new Map([['quaking-aspen', await loadSpecies('species/quaking-aspen.json')]]);
     this.stage.setField(field);
     this.forest.setForest(document, species, field);
-    this.forest.setWind(await shippedWind('breeze'));
+    this.forest.setWind(await loadWind('winds/breeze.json'));
     const { camera } = this.stage;
     const y = -0.5 * size + 2;
     camera.position.set(0, heightAt(field, 0, y) + 6, -y);

@@ -20,9 +20,6 @@ const number = (name: string, otherwise: number): number => Number(asked.get(nam
 const counts = (asked.get('counts') ?? '1,10,100,1000,10000').split(',').map(Number);
 const only = asked.get('only')?.split(',');
 
-document.documentElement.dataset.theme = matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
-document.title = `${words.title} · ${words.home}`;
-
 const page = document.querySelector<HTMLElement>('#page')!;
 const renderer = probe(rendererName);
 const found = new Map<Section, Table>();
@@ -68,19 +65,9 @@ function show(section: Section): Shown {
 
 function build(): void {
   const head = element('header');
-  const links = element('nav');
-  for (const [name, href] of [
-    [words.home, './'],
-    [words.forest, './forest.html'],
-    [words.range, './range.html'],
-  ] as const) {
-    const link = element('a', name);
-    link.href = href;
-    links.append(link);
-  }
   const tools = element('div', '', 'tools');
   tools.append(runAll, stop, csv, markdown);
-  head.append(links, element('h1', words.title), element('p', words.lead), element('p', words.quiet, 'soft'));
+  head.append(element('h1', words.title), element('p', words.lead), element('p', words.quiet, 'soft'));
   head.append(element('p', renderer ? words.renderer(renderer) : words.noContext, 'renderer'), tools);
   page.append(head);
   for (const [section, { run: runOne, state, stage, results }] of shown) {

@@ -1,10 +1,10 @@
 import { Box3, Vector3 } from 'three';
 import { Grove } from '../view/forest/grove.ts';
+import { loadSpecies, loadWind } from '../view/load.ts';
 import { Stage } from '../view/stage.ts';
 import { newGroveClient } from '../worker/grove-client.ts';
 import { ezTree } from './ez.ts';
 import { timeFrames } from './frame-timer.ts';
-import { shippedSpecies, shippedWind } from './load.ts';
 import { type Picture, type Section, SIZE } from './section.ts';
 import { words } from './words.ts';
 
@@ -34,7 +34,10 @@ export const HUNDRED: Section = {
     signal.addEventListener('abort', stop);
     try {
       stage.resize(...SIZE);
-      const [species, wind] = await Promise.all([shippedSpecies('quaking-aspen'), shippedWind('breeze')]);
+      const [species, wind] = await Promise.all([
+        loadSpecies('species/quaking-aspen.json'),
+        loadWind('winds/breeze.json'),
+      ]);
       const places = placesOf(trees);
       const half = (Math.sqrt(trees) / 2) * APART + 3;
       await step(words.growing(words.hundred.ours(trees)));

@@ -1,10 +1,10 @@
+import { loadSpecies, loadWind } from '../view/load.ts';
 import { Stage } from '../view/stage.ts';
 import { uprightBox } from '../view/tree-extent.ts';
 import { WindTree } from '../view/wind-tree.ts';
 import { growInWorker } from '../worker/client.ts';
 import { ezTree } from './ez.ts';
 import { timeFrames } from './frame-timer.ts';
-import { shippedSpecies, shippedWind } from './load.ts';
 import { type Picture, type Section, SIZE } from './section.ts';
 import { words } from './words.ts';
 
@@ -19,7 +19,10 @@ export const ONE: Section = {
     const stage = new Stage(canvas, { antialias: false, preserveDrawingBuffer: true });
     try {
       stage.resize(...SIZE);
-      const [species, wind] = await Promise.all([shippedSpecies('quaking-aspen'), shippedWind('breeze')]);
+      const [species, wind] = await Promise.all([
+        loadSpecies('species/quaking-aspen.json'),
+        loadWind('winds/breeze.json'),
+      ]);
       await step(words.growing(species.name));
       const began = performance.now();
       const { packed } = await growInWorker(species, 2);

@@ -6,8 +6,8 @@ import { STEP } from '../gpu/step.ts';
 import { TreeTextures } from '../gpu/tree-textures.ts';
 import { WindPass } from '../gpu/wind-pass.ts';
 import { windSource } from '../gpu/wind-source.ts';
+import { loadWind } from '../view/load.ts';
 import { timeFrames } from './frame-timer.ts';
-import { shippedWind } from './load.ts';
 import { type Section, SIZE } from './section.ts';
 import { words } from './words.ts';
 
@@ -34,7 +34,7 @@ export const PAPERS: Section = {
     const renderer = new WebGLRenderer({ canvas, antialias: false });
     try {
       const rows: (string | number)[][] = [];
-      const wind = windSource({ ...(await shippedWind('fresh-breeze')), model: 'direct', pose: 'lagged' });
+      const wind = windSource({ ...(await loadWind('winds/fresh-breeze.json')), model: 'direct', pose: 'lagged' });
       const texel = new Float32Array(4);
       for (const [side, theirs] of STEPS) {
         const what = words.papers.steps(side);

@@ -19,9 +19,6 @@ export const words = {
   growing: (what: string) => `Growing ${what} …`,
   measuring: (what: string) => `Measuring ${what} …`,
   picture: (what: string) => `${what}, as measured`,
-  home: 'Windgrove',
-  range: 'Table 2 at range',
-  forest: 'Forest',
   one: {
     title: 'One tree',
     lead: "Ours moves every branch and leaf, and its time includes the wind pass; ez-tree's moves its leaves alone. Same height, camera, light and shadows.",

@@ -1,4 +1,4 @@
-import './styles/tokens.css';
+import '../site/tokens.css';
 import './styles/layout.css';
 import './styles/controls.css';
 import './styles/parts.css';

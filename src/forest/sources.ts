@@ -1,12 +1,9 @@
-import { faultText } from '../core/file/fault.ts';
 import { type IndexEntry, parseIndex } from '../core/file/shipped-index.ts';
 import type { ForestDocument } from '../core/forest/forest.ts';
 import { parseForest } from '../core/forest/parse-forest.ts';
-import { parseSpecies } from '../core/species/parse.ts';
 import type { Species } from '../core/species/species.ts';
-import { loadWind } from '../core/wind/load-wind.ts';
 import type { Wind } from '../core/wind/wind.ts';
-import { words } from './words.ts';
+import { LoadError, loadSpecies, loadText, loadWind } from '../view/load.ts';
 
 /** A scene that ships. */
 export interface Scene {
@@ -16,16 +13,10 @@ export interface Scene {
   readonly document: ForestDocument;
 }
 
-async function fetchText(path: string): Promise<string> {
-  const response = await fetch(new URL(path, document.baseURI)).catch(() => null);
-  if (!response?.ok) throw new Error(words.notLoaded(path));
-  return response.text();
-}
-
 async function fetchIndex(path: string): Promise<readonly IndexEntry[]> {
-  const { entries, faults } = parseIndex(JSON.parse(await fetchText(path)));
+  const { entries, faults } = parseIndex(JSON.parse(await loadText(path)));
   if (entries) return entries;
-  throw new Error(`${path}: ${faults.map(faultText).join(' ')}`);
+  throw new LoadError(path, faults);
 }
 
 /** Species, winds and scenes that ship; files are fetched when they are asked for, once. */
@@ -50,8 +41,8 @@ export class Sources {
     const known = { species: species!.map(({ id }) => id), winds: winds!.map(({ id }) => id) };
     const scenes = await Promise.all(
       forests!.map(async ({ id, name, file, description = '' }) => {
-        const { forest, faults } = parseForest(await fetchText(`forests/${file}`), known);
-        if (!forest) throw new Error(`${file}: ${faults.map(faultText).join(' ')}`);
+        const { forest, faults } = parseForest(await loadText(`forests/${file}`), known);
+        if (!forest) throw new LoadError(file, faults);
         return { id, name, description, document: forest };
       }),
     );
@@ -69,21 +60,12 @@ export class Sources {
 
   /** The species of a mix, by id. */
   async speciesOf(ids: readonly string[]): Promise<ReadonlyMap<string, Species>> {
-    const load = async (id: string): Promise<Species> => {
-      const { species, faults } = parseSpecies(await fetchText(`species/${this.#file(this.species, id)}`));
-      if (species) return species;
-      throw new Error(`${id}: ${faults.map(faultText).join(' ')}`);
-    };
+    const load = (id: string): Promise<Species> => loadSpecies(`species/${this.#file(this.species, id)}`);
     return new Map(await Promise.all(ids.map(async (id) => [id, await once(this.#species, id, load)] as const)));
   }
 
   windOf(id: string): Promise<Wind> {
-    return once(this.#winds, id, async () => {
-      const text = await fetchText(`winds/${this.#file(this.winds, id)}`);
-      const { wind, faults } = await loadWind(text, (csv) => fetchText(`winds/${csv}`));
-      if (wind) return wind;
-      throw new Error(`${id}: ${faults.map(faultText).join(' ')}`);
-    });
+    return once(this.#winds, id, () => loadWind(`winds/${this.#file(this.winds, id)}`));
   }
 
   #file(list: readonly IndexEntry[], id: string): string {

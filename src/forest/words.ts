@@ -108,7 +108,6 @@ export const words = {
     `The forest was made with the picture “${name}”, which a link cannot hold. Put it in again under Ground; until then the plain is used.`,
   missingDensity: (name: string): string =>
     `The forest was made with the picture “${name}”, which a link cannot hold. Put it in again under Ground; until then trees stand everywhere.`,
-  notLoaded: (what: string): string => `${what} could not be loaded.`,
   noRoom: (count: number, there: number): string =>
     there === 0
       ? 'No tree finds a place here: no species of the mix may stand on this ground.'

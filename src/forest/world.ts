@@ -50,6 +50,7 @@ export class World {
     this.stage = new ForestStage(canvas, { antialias: devicePixelRatio < 1.5, preserveDrawingBuffer: false });
     this.stage.camera.fov = FOV;
     this.stage.scene.add(this.forest);
+    this.forest.onError = (error) => this.onError(error);
     this.flight = new Flight(canvas);
     this.flight.fov = FOV;
     this.flight.groundAt = (x, y) => heightAt(this.#field, x, y);

@@ -1,5 +1,4 @@
-import { parseSpecies } from '../core/species/parse.ts';
-import { loadWind } from '../core/wind/load-wind.ts';
+import { loadSpecies, loadWind } from '../view/load.ts';
 import type { DrawnElements } from '../view/wind-tree.ts';
 import { RangePage } from './page.ts';
 import { type Figures, RangePicture } from './picture.ts';
@@ -35,12 +34,6 @@ function refresh(): void {
   page.show({ state, dark: dark(), table, figures, milliseconds });
 }
 
-const read = async (path: string): Promise<string> => {
-  const answer = await fetch(new URL(`./${path}`, document.baseURI));
-  if (!answer.ok) throw new Error(`${path}: ${answer.status}`);
-  return answer.text();
-};
-
 let waiting = 0;
 let last = 0;
 
@@ -70,11 +63,7 @@ function wake(): void {
 
 async function begin(): Promise<void> {
   refresh();
-  const file = 'quaking-aspen.json';
-  const [speciesText, windText] = await Promise.all([read(`species/${file}`), read('winds/breeze.json')]);
-  const { species } = parseSpecies(speciesText);
-  const { wind } = await loadWind(windText, (name) => read(`winds/${name}`));
-  if (!species || !wind) throw new Error(file);
+  const [species, wind] = await Promise.all([loadSpecies('species/quaking-aspen.json'), loadWind('winds/breeze.json')]);
   picture = new RangePicture(page.canvas, page.inset, species, wind, state.seed);
   table = await picture.countTable();
   page.ready();

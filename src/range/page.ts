@@ -57,7 +57,6 @@ export class RangePage {
 
   #page(shown: Shown): TemplateResult {
     return html`
-      <p class="home"><a href="./">${words.home}</a></p>
       <h1>${words.title}</h1>
       <p class="lead">${words.intro}</p>
       <div class="show">

@@ -21,7 +21,6 @@ export const rangeWords = {
   title: 'Degradation at range',
   intro:
     'In 1995 Jason Weber and Joseph Penn drew whole forests by looking less closely at the trees far away: the farther a tree, the more of its stems became lines and of its leaves points, and the fewer of those were left. The stored tree never changed; only the loops over it ran shorter. Here their rules run on the GPU, on our own quaking aspen, in the wind.',
-  home: 'Windgrove',
   picture: 'A quaking aspen in the wind',
   inset: 'The tree magnified',
   loading: 'Growing the aspen …',

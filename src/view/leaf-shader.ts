@@ -22,6 +22,15 @@ const shape: readonly Patch[] = [
   },
 ];
 
+/** A leaf that shows the eye its unlit side must not shade itself: its shadow is looked up a little nearer to the sun. */
+export const SHADOW_TOWARDS_SUN: Patch = {
+  anchor: '#include <shadowmap_vertex>',
+  before: `#if defined(USE_SHADOWMAP) && NUM_DIR_LIGHT_SHADOWS > 0
+  mat4 toShadow = directionalShadowMatrix[0];
+  transformedNormal = -normalize((viewMatrix * vec4(toShadow[0].z, toShadow[1].z, toShadow[2].z, 0.0)).xyz);
+#endif`,
+};
+
 /** For MeshStandardMaterial and MeshPhysicalMaterial, both sides drawn. */
 export const LEAF_STANDARD: Injection = {
   vertex: [
@@ -43,14 +52,7 @@ vec3 channelFoot = sectionAt(readPose(channelLeaf.piece, channelLeaf.odd), chann
 vChannel = channelOfLeaf(channelLeaf.piece, channelLeaf.v, channelLeaf.phase, channelFoot);
 #endif`,
     },
-    {
-      // A leaf that shows the eye its unlit side must not shade itself: look its shadow up a little nearer to the sun.
-      anchor: '#include <shadowmap_vertex>',
-      before: `#if defined(USE_SHADOWMAP) && NUM_DIR_LIGHT_SHADOWS > 0
-  mat4 toShadow = directionalShadowMatrix[0];
-  transformedNormal = -normalize((viewMatrix * vec4(toShadow[0].z, toShadow[1].z, toShadow[2].z, 0.0)).xyz);
-#endif`,
-    },
+    SHADOW_TOWARDS_SUN,
   ],
   fragment: [
     ...GROVE_FRAGMENT,

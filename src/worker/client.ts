@@ -1,5 +1,6 @@
-import { proxy, type Remote, releaseProxy, wrap } from 'comlink';
+import { proxy } from 'comlink';
 import type { Species } from '../core/species/species.ts';
+import { type Hand, letGo, takeOn, WorkerFailed, type WorkerLike } from './hand.ts';
 import {
   type GrownTree,
   type GrowProgress,
@@ -8,6 +9,7 @@ import {
   PROTOCOL_VERSION,
 } from './protocol.ts';
 
+export type { WorkerLike } from './hand.ts';
 export type { GrownTree, GrowProgress, GrowSettings } from './protocol.ts';
 
 /** Why a promise was not kept although nothing is wrong: a newer request came, or the caller cancelled. */
@@ -30,27 +32,12 @@ export interface GrowOptions extends GrowSettings {
   readonly signal?: AbortSignal;
 }
 
-/** The part of a Worker that is used. */
-export type WorkerLike = Pick<Worker, 'postMessage' | 'addEventListener' | 'removeEventListener' | 'terminate'>;
-
 interface Job {
   readonly species: Species;
   readonly seed: number;
   readonly options: GrowOptions;
   readonly keep: (tree: GrownTree) => void;
   readonly breakOff: (error: unknown) => void;
-}
-
-/** A worker with its service, and the promise that rejects if its script fails. */
-interface Hand {
-  readonly worker: WorkerLike;
-  readonly service: Remote<GrowService>;
-  readonly failed: Promise<never>;
-}
-
-/** The worker itself broke: its script did not load, or died. */
-class WorkerFailed extends Error {
-  override readonly name = 'WorkerFailed';
 }
 
 /**
@@ -63,9 +50,9 @@ class WorkerFailed extends Error {
 export class GrowClient {
   private readonly spawn: () => WorkerLike;
   private readonly patience: number;
-  private hand: Hand | null = null;
+  private hand: Hand<GrowService> | null = null;
   /** Loads while an unwanted run has its patience, so that the next tree need not wait for it. */
-  private spare: Hand | null = null;
+  private spare: Hand<GrowService> | null = null;
   private running: Job | null = null;
   private waiting: Job | null = null;
   /** Does the worker grow something, wanted or not? */
@@ -161,23 +148,12 @@ export class GrowClient {
     this.spare = null;
   }
 
-  private end(hand: Hand | null): void {
-    hand?.service[releaseProxy]();
-    hand?.worker.terminate();
+  private end(hand: Hand<GrowService> | null): void {
+    if (hand) letGo(hand);
   }
 
-  private start(): Hand {
-    const worker = this.spawn();
-    const failed = new Promise<never>((_, reject) => {
-      worker.addEventListener('error', (event) => {
-        const why = (event as ErrorEvent).message || 'its script did not load';
-        reject(new WorkerFailed(`The worker that grows trees stopped: ${why}`));
-      });
-    });
-    // Nobody may be asking when it fails; whoever asks next hears of it.
-    failed.catch(() => undefined);
-    // Comlink asks for an Endpoint, which a Worker is.
-    return { worker, service: wrap<GrowService>(worker as Worker), failed };
+  private start(): Hand<GrowService> {
+    return takeOn<GrowService>(this.spawn());
   }
 
   private next(): void {
@@ -191,7 +167,7 @@ export class GrowClient {
     void this.run(this.hand, job);
   }
 
-  private async run(hand: Hand, job: Job): Promise<void> {
+  private async run(hand: Hand<GrowService>, job: Job): Promise<void> {
     const { species, seed } = job;
     const { onProgress, signal: _, ...settings } = job.options;
     const report = onProgress && proxy((p: GrowProgress) => this.running === job && onProgress(p));

@@ -1,6 +1,6 @@
-import { type Remote, releaseProxy, wrap } from 'comlink';
-import { GrowAborted, type WorkerLike } from './client.ts';
+import { GrowAborted } from './client.ts';
 import { GROVE_PROTOCOL_VERSION, type GroveRequest, type GroveService, type GrownGrove } from './grove-protocol.ts';
+import { type Hand, letGo, takeOn, WorkerFailed, type WorkerLike } from './hand.ts';
 
 export { isAborted } from './client.ts';
 export type { GroveForm, GroveMember, GroveRequest, GrownGrove } from './grove-protocol.ts';
@@ -23,23 +23,15 @@ interface Job {
   readonly breakOff: (error: unknown) => void;
 }
 
-interface Hand {
-  readonly worker: WorkerLike;
-  readonly service: Remote<GroveService>;
-  readonly failed: Promise<never>;
+interface GroveHand extends Hand<GroveService> {
   job: Job | null;
-}
-
-/** The worker itself broke: its script did not load, or died. */
-class WorkerFailed extends Error {
-  override readonly name = 'WorkerFailed';
 }
 
 /** Asks one or two workers for groves, the most urgent first. Each worker has one grove at a time; the others wait here, where they can change. */
 export class GroveClient {
   readonly #spawn: () => WorkerLike;
   readonly #most: number;
-  readonly #hands: Hand[] = [];
+  readonly #hands: GroveHand[] = [];
   readonly #waiting = new Set<Job>();
   #ids = 0;
 
@@ -47,11 +39,6 @@ export class GroveClient {
   constructor(spawn: () => WorkerLike, workers = 1) {
     this.#spawn = spawn;
     this.#most = workers;
-  }
-
-  /** Groves that wait, and that are being grown. */
-  get pending(): number {
-    return this.#waiting.size + this.#hands.filter(({ job }) => job !== null).length;
   }
 
   grow(request: GroveRequest, priority: number): GroveTicket {
@@ -76,8 +63,7 @@ export class GroveClient {
     this.#waiting.clear();
     for (const hand of this.#hands.splice(0)) {
       hand.job?.breakOff(new GrowAborted('cancelled'));
-      hand.service[releaseProxy]();
-      hand.worker.terminate();
+      letGo(hand);
     }
   }
 
@@ -101,23 +87,14 @@ export class GroveClient {
     }
   }
 
-  #start(): Hand | null {
+  #start(): GroveHand | null {
     if (this.#hands.length >= this.#most) return null;
-    const worker = this.#spawn();
-    const failed = new Promise<never>((_, reject) => {
-      worker.addEventListener('error', (event) => {
-        const why = (event as ErrorEvent).message || 'its script did not load';
-        reject(new WorkerFailed(`The worker that grows groves stopped: ${why}`));
-      });
-    });
-    // Nobody may be asking when it fails; whoever asks next hears of it.
-    failed.catch(() => undefined);
-    const hand: Hand = { worker, service: wrap<GroveService>(worker as Worker), failed, job: null };
+    const hand: GroveHand = { ...takeOn<GroveService>(this.#spawn()), job: null };
     this.#hands.push(hand);
     return hand;
   }
 
-  async #run(hand: Hand, job: Job): Promise<void> {
+  async #run(hand: GroveHand, job: Job): Promise<void> {
     hand.job = job;
     try {
       const asked = hand.service.growGrove(GROVE_PROTOCOL_VERSION, job.id, job.request);
@@ -128,7 +105,7 @@ export class GroveClient {
       if (error instanceof WorkerFailed) {
         const at = this.#hands.indexOf(hand);
         if (at >= 0) this.#hands.splice(at, 1);
-        hand.worker.terminate();
+        letGo(hand);
       }
     }
     hand.job = null;

@@ -6,8 +6,8 @@ import type { Vec3 } from '../../core/math/vec3.ts';
 import { CARD_PICTURES } from '../../core/pack/card-texel.ts';
 import type { PackedTree } from '../../core/pack/packed.ts';
 import type { Species } from '../../core/species/species.ts';
-import { PassState } from '../../gpu/pass-state.ts';
 import { BakePasses } from './bake-passes.ts';
+import { type BakeJob, BakeQueue } from './bake-queue.ts';
 import { type BakeBox, BakeTree } from './bake-tree.ts';
 import { ImpostorAtlas } from './impostor-atlas.ts';
 
@@ -15,10 +15,7 @@ import { ImpostorAtlas } from './impostor-atlas.ts';
 const SIDE = Math.sqrt(CARD_PICTURES);
 const SIZE = 128;
 
-interface Job {
-  readonly tree: PackedTree;
-  readonly species: Species;
-  readonly layer: number;
+interface Job extends BakeJob {
   taken: number;
 }
 
@@ -33,9 +30,7 @@ export class ClumpPictures {
   readonly atlas: ImpostorAtlas;
   readonly #passes: BakePasses;
   readonly #tree = new BakeTree();
-  readonly #state = new PassState();
-  readonly #ready: boolean[] = [];
-  #jobs: Job[] = [];
+  readonly #queue = new BakeQueue<Job>((renderer, job) => this.#step(renderer, job));
   #pictures: Picture[] = [];
 
   /** `layers`: species that there is room for. */
@@ -50,32 +45,24 @@ export class ClumpPictures {
   }
 
   get idle(): boolean {
-    return this.#jobs.length === 0;
+    return this.#queue.idle;
   }
 
   ready(layer: number): boolean {
-    return this.#ready[layer] === true;
+    return this.#queue.ready(layer);
   }
 
   /** Asks for a layer to show the clumps of a full tree, in the season that `species` is in (inSeason). */
   bake(layer: number, tree: PackedTree, species: Species): void {
-    this.#jobs = this.#jobs.filter((job) => job.layer !== layer || job.taken > 0);
-    this.#jobs.push({ tree, species, layer, taken: 0 });
+    this.#queue.add({ tree, species, layer, taken: 0 });
   }
 
-  /** Takes pictures for about `ms` milliseconds, one at least where one is left; true when all is done. */
-  bakeSome(renderer: WebGLRenderer, ms: number): boolean {
-    if (this.#jobs.length === 0) return true;
-    const began = performance.now();
-    this.#state.begin(renderer);
-    do this.#step(renderer);
-    while (this.#jobs.length > 0 && performance.now() - began < ms);
-    this.#state.end(renderer);
-    return this.#jobs.length === 0;
+  /** Takes pictures for about `ms` milliseconds, one at least where one is left. */
+  bakeSome(renderer: WebGLRenderer, ms: number): void {
+    this.#queue.work(renderer, ms);
   }
 
-  #step(renderer: WebGLRenderer): void {
-    const job = this.#jobs[0] as Job;
+  #step(renderer: WebGLRenderer, job: Job): boolean {
     if (job.taken === 0) this.#pictures = picturesOf(job.tree, job.species);
     const picture = this.#pictures[job.taken];
     if (picture) {
@@ -84,17 +71,16 @@ export class ClumpPictures {
       this.#tree.draw(renderer, this.#passes.view, picture.direction, picture.box);
       this.#passes.takeView(renderer, job.taken % SIDE, Math.floor(job.taken / SIDE));
       job.taken++;
-    } else {
-      this.#passes.storeLayer(renderer, job.layer);
-      this.#ready[job.layer] = true;
-      this.#jobs.shift();
-      this.#pictures = [];
-      this.#tree.leave();
+      return false;
     }
+    this.#passes.storeLayer(renderer, job.layer);
+    this.#pictures = [];
+    this.#tree.leave();
+    return true;
   }
 
   dispose(): void {
-    this.#jobs = [];
+    this.#queue.clear();
     this.#passes.dispose();
     this.#tree.dispose();
     this.atlas.dispose();

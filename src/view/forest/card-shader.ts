@@ -1,10 +1,11 @@
 import fragment from '../../../shaders/forest/card-fragment.glsl';
 import read from '../../../shaders/forest/card-read.glsl';
-import through from '../../../shaders/forest/card-through.glsl';
 import vertex from '../../../shaders/forest/card-vertex.glsl';
 import crown from '../../../shaders/leaf/crown.glsl';
+import through from '../../../shaders/leaf/through.glsl';
 import { layoutGlsl } from '../../core/pack/layout-glsl.ts';
 import type { Injection, Patch } from '../inject.ts';
+import { SHADOW_TOWARDS_SUN } from '../leaf-shader.ts';
 import { GROVE_FRAGMENT } from './grove-shader.ts';
 
 const shape: readonly Patch[] = [
@@ -30,19 +31,15 @@ export const CARD_STANDARD: Injection = {
 vCardFacing = mat3(modelViewMatrix) * here.facing;
 vCardCrown = vec4(normalize(mat3(modelViewMatrix) * crownNormal(here.position)), crownSky(here.position));`,
     },
-    {
-      // Shadows are looked up a little nearer to the sun, as those of leaves are.
-      anchor: '#include <shadowmap_vertex>',
-      before: `#if defined(USE_SHADOWMAP) && NUM_DIR_LIGHT_SHADOWS > 0
-  mat4 toShadow = directionalShadowMatrix[0];
-  transformedNormal = -normalize((viewMatrix * vec4(toShadow[0].z, toShadow[1].z, toShadow[2].z, 0.0)).xyz);
-#endif`,
-    },
+    SHADOW_TOWARDS_SUN,
   ],
   fragment: [
     ...GROVE_FRAGMENT,
     { anchor: '#include <common>', after: fragment },
-    { anchor: '#include <lights_physical_pars_fragment>', after: through },
+    {
+      anchor: '#include <lights_physical_pars_fragment>',
+      after: `#define LEAF_THROUGH (cardThrough * vCardCrown.w)\n${through}`,
+    },
     {
       anchor: '#include <map_fragment>',
       after: 'vec4 clump = cardColour();\ndiffuseColor *= vec4(mix(clump.rgb, levelTint.rgb, levelTint.a), clump.a);',

@@ -38,6 +38,7 @@ export class FarTrees {
   readonly #client: GroveClient;
   readonly #field: ForceField;
   readonly #pictures: Omit<AtlasOptions, 'layers'>;
+  readonly #failed: (error: unknown) => void;
   #setup: ForestSetup | null = null;
   #baker: ImpostorBaker | null = null;
   #impostors: Impostors | null = null;
@@ -48,12 +49,19 @@ export class FarTrees {
   #own = new Float32Array(0);
   #nearer = new Float32Array(0);
 
-  /** `parent`: an object in forest space (z up); `field`: the wind there. */
-  constructor(parent: Object3D, client: GroveClient, field: ForceField, pictures: Omit<AtlasOptions, 'layers'>) {
+  /** `parent`: an object in forest space (z up); `field`: the wind there; `failed` is told why a shape cannot be grown. */
+  constructor(
+    parent: Object3D,
+    client: GroveClient,
+    field: ForceField,
+    pictures: Omit<AtlasOptions, 'layers'>,
+    failed: (error: unknown) => void,
+  ) {
     this.#parent = parent;
     this.#client = client;
     this.#field = field;
     this.#pictures = pictures;
+    this.#failed = failed;
   }
 
   setForest(setup: ForestSetup | null): void {
@@ -90,7 +98,8 @@ export class FarTrees {
 
   /** Goes on with what is not there yet, for about `ms` milliseconds; `passed`: milliseconds since the last time. */
   update(renderer: WebGLRenderer, camera: Camera, passed: number, ms: number): void {
-    const { baker, impostors } = { baker: this.#baker, impostors: this.#impostors };
+    const baker = this.#baker;
+    const impostors = this.#impostors;
     if (!baker || !impostors) return;
     this.#ask();
     if (!baker.idle) {
@@ -217,7 +226,7 @@ export class FarTrees {
       (error: unknown) => {
         if (!this.#tickets.delete(ticket) || isAborted(error)) return;
         shape.state = 'broken';
-        console.warn(error);
+        this.#failed(error);
       },
     );
   }

@@ -47,6 +47,7 @@ export class ForestGroves {
   readonly #client: GroveClient;
   readonly #taken: Taken;
   readonly #options: (form: GroveForm, species: number) => GroveOptions | null;
+  readonly #failed: (error: unknown) => void;
   readonly #stream = new Stream();
   readonly #units = new Map<string, GroveUnit>();
   readonly #perTree: Record<GroveForm, Map<number, number>> = { full: new Map(), middle: new Map() };
@@ -62,22 +63,26 @@ export class ForestGroves {
   /** Is there a middle class? Without one near trees stand out of far ones. Set before the forest. */
   middle = true;
 
-  /** `options`: how groves of a form are drawn; null while that cannot be said yet: they wait. */
+  /** `options`: how groves of a form are drawn; null while that cannot be said yet: they wait; `failed` is told why one cannot be grown. */
   constructor(
     parent: Object3D,
     client: GroveClient,
     taken: Taken,
     options: (form: GroveForm, species: number) => GroveOptions | null,
+    failed: (error: unknown) => void,
   ) {
     this.#parent = parent;
     this.#client = client;
     this.#taken = taken;
     this.#options = options;
+    this.#failed = failed;
   }
 
   /** Takes another forest; all groves of the last one go. */
   setForest(setup: ForestSetup | null): void {
     this.clear();
+    // Another mix has other species in their places.
+    for (const bytes of Object.values(this.#perTree)) bytes.clear();
     this.#setup = setup;
     if (!setup) return;
     const { near, middle } = setup;
@@ -147,10 +152,14 @@ export class ForestGroves {
     const [x, y, z] = view.eye;
     for (const unit of this.#units.values()) {
       const { cell, form, parent, side } = unit;
+      // A finer form comes after the coarser one, so that two classes and no more share any tree out; most of a forest ends here.
+      if (parent && parent.state !== 'there') {
+        unit.wanted = false;
+        continue;
+      }
       const threshold = form === 'full' ? thresholds.near : thresholds.middle;
       unit.pixels = (cell.tallest * view.scale) / Math.max(1, distanceToCell(cell, side, x, y, z));
-      // A finer form comes after the coarser one, so that two classes and no more share any tree out.
-      const ready = !parent || (parent.state === 'there' && parent.come >= 1);
+      const ready = !parent || parent.come >= 1;
       unit.wanted = !unit.broken && ready && isWanted(unit.pixels, threshold, unit.wanted);
       if (unit.wanted || unit.state === 'there') unit.inView = view.sees(cell, side, 0);
     }
@@ -234,7 +243,7 @@ export class ForestGroves {
           unit.broken = true;
           this.#stream.failed(unit.key);
           this.#drop(unit);
-          console.warn(error);
+          this.#failed(error);
         },
       );
     }
@@ -317,13 +326,14 @@ export class ForestGroves {
     const [nearFrom, nearTo] = bandOf(thresholds.near, this.fade);
     const [middleFrom, middleTo] = bandOf(thresholds.middle, this.fade);
     for (const unit of this.#units.values()) {
+      // Also what is there of a unit whose other species are still growing.
+      if (blown) for (const { grove } of unit.parts) grove?.setWind(wind, { fade: 1 });
       if (unit.state !== 'there') continue;
       const shown = unit.come > 0 && unit.pixels > (unit.form === 'full' ? nearFrom : middleFrom);
       const close = shown && (unit.inView || view.sees(unit.cell, unit.side, SHADOW_REACH));
       for (const { grove } of unit.parts) {
         if (!grove) continue;
         grove.visible = close;
-        if (blown) grove.setWind(wind, { fade: 1 });
         if (unit.form === 'full') grove.fade.set(nearFrom, nearTo, NEVER, NEVER);
         else grove.fade.set(middleFrom, middleTo, nearFrom, nearTo);
         grove.slack = frame.step.motion;

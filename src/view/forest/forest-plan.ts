@@ -6,14 +6,14 @@ import type { Species } from '../../core/species/species.ts';
 /** Bytes of the pictures of one tree from all sides, about, and the part of a forest's memory that all of them may take. */
 const PICTURE_BYTES = 2.8 * 2 ** 20;
 const PICTURE_PART = 0.15;
-/** More shapes than that nobody tells from unique trees, each with a turn of its own. */
+/** Few tell more shapes than that from unique trees, each with a turn of its own; the pictures of each take time at the start. */
 const MOST_VARIANTS = 16;
 
-/** How many shapes each species of a mix has: as many as memory holds, none more than it has trees. */
-export function variantCounts(trees: readonly number[], memoryBudget: number): number[] {
+/** How many shapes each species of a mix has: as many as memory holds, none more than it has trees, nor than `most`. */
+export function variantCounts(trees: readonly number[], memoryBudget: number, most = MOST_VARIANTS): number[] {
   const present = Math.max(1, trees.filter((count) => count > 0).length);
   const each = Math.floor((PICTURE_PART * memoryBudget) / PICTURE_BYTES / present);
-  return trees.map((count) => Math.min(count, MOST_VARIANTS, Math.max(1, each)));
+  return trees.map((count) => Math.min(count, most, Math.max(1, each)));
 }
 
 /** Trees of each species of the mix among the first `count`. */

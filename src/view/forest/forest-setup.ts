@@ -35,6 +35,7 @@ export function setUpForest(
   field: HeightField,
   places: TreePlaces,
   memoryBudget: number,
+  mostVariants?: number,
 ): ForestSetup {
   const mix = document.mix.map(({ species: id }) => {
     const found = species.get(id);
@@ -52,7 +53,7 @@ export function setUpForest(
     places,
     feet: footHeights(field, places, heights),
     trees,
-    variants: variantCounts(trees, memoryBudget),
+    variants: variantCounts(trees, memoryBudget, mostVariants),
     near: cellGrid(places, places.count, heights, document.size, NEAR_CELL),
     middle: cellGrid(places, places.count, heights, document.size, MIDDLE_CELL),
   };

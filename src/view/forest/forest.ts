@@ -29,6 +29,8 @@ export interface ForestOptions {
   budget?: number;
   /** Bytes that its trees may take on the GPU. Default 512 MiB. */
   memoryBudget?: number;
+  /** Shapes that a species has at most, as far as memory holds them and their pictures; where it has fewer trees, each is unique. Default 16. */
+  variants?: number;
   /** How large the pictures of far trees are; by default 8 x 8 views of 64 texels. */
   pictures?: Omit<AtlasOptions, 'layers'>;
 }
@@ -70,6 +72,9 @@ const BAKE_FIRST = 60;
 export class Forest extends Object3D {
   readonly isForest = true;
   memoryBudget: number;
+  /** Told why trees cannot be grown: they are then missing. By default the console. */
+  onError: (error: unknown) => void = (error) => console.warn(error);
+  readonly #variants: number | undefined;
   /** The wind over it as shaders take it; `update` fills it. */
   readonly field = new ForceField();
   readonly #client: GroveClient;
@@ -90,19 +95,24 @@ export class Forest extends Object3D {
   #last = Number.NaN;
   #time = Number.NaN;
 
-  constructor({ client, budget = 16.7, memoryBudget = 512 * 2 ** 20, pictures = {} }: ForestOptions = {}) {
+  constructor({ client, budget = 16.7, memoryBudget = 512 * 2 ** 20, variants, pictures = {} }: ForestOptions = {}) {
     super();
     this.name = 'forest';
     this.#ownsClient = !client;
     this.#client = client ?? newGroveClient();
     this.#meter = new BudgetMeter(budget);
     this.memoryBudget = memoryBudget;
+    this.#variants = variants;
     this.#space.rotation.x = -Math.PI / 2; // z up to y up
     this.#space.name = 'forest space';
     this.add(this.#space);
-    this.#far = new FarTrees(this.#space, this.#client, this.field, pictures);
-    this.#groves = new ForestGroves(this, this.#client, this.#far.taken, (form, species) =>
-      this.#groveOptions(form, species),
+    this.#far = new FarTrees(this.#space, this.#client, this.field, pictures, (error) => this.onError(error));
+    this.#groves = new ForestGroves(
+      this,
+      this.#client,
+      this.#far.taken,
+      (form, species) => this.#groveOptions(form, species),
+      (error) => this.onError(error),
     );
   }
 
@@ -116,7 +126,7 @@ export class Forest extends Object3D {
     field: HeightField,
     places: TreePlaces = scatter(document, field, forestDensity(document, null)),
   ): void {
-    const setup = setUpForest(document, species, field, places, this.memoryBudget);
+    const setup = setUpForest(document, species, field, places, this.memoryBudget, this.#variants);
     this.#setup = setup;
     this.#meter.budget = document.budget;
     this.#meter.restart();

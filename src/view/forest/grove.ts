@@ -67,7 +67,6 @@ export class Grove extends Object3D {
   #motion: GroveMotion | null = null;
   #light = 0;
   #time = 0;
-  #seen = true;
 
   constructor({ detail = 'auto', leafBudget = LEAF_BUDGET[detail], foliage }: GroveOptions = {}) {
     super();
@@ -109,10 +108,6 @@ export class Grove extends Object3D {
     this.#parts.setTree(packed, species, light);
   }
 
-  get packed(): PackedGrove | null {
-    return this.#packed;
-  }
-
   /** Lets a wind blow, fading over from the last one in `fade` seconds of the clock (default: at once). */
   setWind(wind: Wind, { fade = 0 }: { fade?: number } = {}): void {
     this.#lane.felt.set(wind, this.#time, fade);
@@ -129,12 +124,12 @@ export class Grove extends Object3D {
     const { forestEye, forestScale } = this.#uniforms;
     forestEye.value.copy(view.eye).applyMatrix4(this.#inverse.copy(matrixWorld).invert());
     forestScale.value = view.scale;
-    this.#seen = view.frustum?.intersectsBox(this.#world.copy(this.#box).applyMatrix4(matrixWorld)) ?? true;
+    const seen = view.frustum?.intersectsBox(this.#world.copy(this.#box).applyMatrix4(matrixWorld)) ?? true;
     const lane = this.#lane;
     const pixels = view.scale / Math.max(this.distance, 1e-3);
     const speed = (this.#motion?.speed(lane.state, lane.force) ?? 0) * pixels;
     lane.felt.moveTo(this.matrixWorld);
-    if (this.#pace.due(view.frame, time, speed, this.#seen, lane.felt.revision)) {
+    if (this.#pace.due(view.frame, time, speed, seen, lane.felt.revision)) {
       lane.update(renderer, packed, time, 'always');
       this.#show(packed);
     }
@@ -150,16 +145,6 @@ export class Grove extends Object3D {
     return this.#trees?.distance(this.#uniforms.forestEye.value) ?? Number.POSITIVE_INFINITY;
   }
 
-  /** Did the last `update` see any of its box? */
-  get seen(): boolean {
-    return this.#seen;
-  }
-
-  /** Every how many frames it is posed. */
-  get period(): number {
-    return this.#pace.period;
-  }
-
   /** Factor on the half pixel that tips may move between two poses: larger saves passes. */
   set slack(factor: number) {
     this.#pace.slack = factor;
@@ -173,22 +158,6 @@ export class Grove extends Object3D {
     this.#trees?.share(index, come, taken);
   }
 
-  get detail(): Detail {
-    return this.#parts.shown.detail;
-  }
-
-  set detail(detail: Detail) {
-    this.#parts.shown.detail = detail;
-  }
-
-  get leafBudget(): number {
-    return this.#parts.shown.leafBudget;
-  }
-
-  set leafBudget(leaves: number) {
-    this.#parts.shown.leafBudget = leaves;
-  }
-
   /** Sets both for every part. */
   setShadows(cast: boolean, receive: boolean): void {
     this.#parts.setShadows(cast, receive);
@@ -200,11 +169,6 @@ export class Grove extends Object3D {
     const trees = this.#packed?.trees.data.byteLength ?? 0;
     const bytes = (textures?.bytes ?? 0) + (poser?.bytes ?? 0) + trees + this.#light;
     return { ...this.#parts.stats(), bytes };
-  }
-
-  /** The pose as last computed, laid out as `PackedGrove.restPose.data`; null before the first `update`. Slow. */
-  readPose(renderer: WebGLRenderer): Float32Array | null {
-    return this.#lane.poser?.read(renderer) ?? null;
   }
 
   /** Frees everything on the GPU; a grove may be given anew. */

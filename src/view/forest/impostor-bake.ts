@@ -8,19 +8,15 @@ import { leafPoints } from '../../core/look/leaf-points.ts';
 import { MECHANICS } from '../../core/pack/layout.ts';
 import type { PackedTree } from '../../core/pack/packed.ts';
 import type { Species } from '../../core/species/species.ts';
-import { PassState } from '../../gpu/pass-state.ts';
 import { BakePasses } from './bake-passes.ts';
+import { type BakeJob, BakeQueue } from './bake-queue.ts';
 import { type BakeBox, BakeTree } from './bake-tree.ts';
 import type { ImpostorAtlas, LayerFacts } from './impostor-atlas.ts';
 
-interface Job {
-  readonly tree: PackedTree;
-  readonly species: Species;
-  readonly layer: number;
+interface Job extends BakeJob {
   readonly box: BakeBox;
   /** Views that are taken already. */
   taken: number;
-  ms: number;
 }
 
 /** How far a leaf of the crown's normal is turned outside: as WindTree has it. */
@@ -31,53 +27,37 @@ export class ImpostorBaker {
   readonly atlas: ImpostorAtlas;
   readonly #passes: BakePasses;
   readonly #tree = new BakeTree();
-  readonly #state = new PassState();
-  readonly #ready: boolean[] = [];
-  #jobs: Job[] = [];
+  readonly #queue = new BakeQueue<Job>((renderer, job) => this.#step(renderer, job));
   #current: Job | null = null;
-  /** Milliseconds of script that the last layer took, all its views together. */
-  lastMs = 0;
 
   constructor(atlas: ImpostorAtlas) {
     this.atlas = atlas;
     this.#passes = new BakePasses(atlas);
   }
 
-  /** Is everything that was asked for baked? */
   get idle(): boolean {
-    return this.#jobs.length === 0;
+    return this.#queue.idle;
   }
 
-  /** Can the layer be drawn? */
   ready(layer: number): boolean {
-    return this.#ready[layer] === true;
+    return this.#queue.ready(layer);
   }
 
-  /** Asks for a layer to show a full tree at rest, in the season that `species` is in (inSeason). A layer that is ready stays so meanwhile. */
+  /** Asks for a layer to show a full tree at rest, in the season that `species` is in (inSeason). */
   bake(layer: number, tree: PackedTree, species: Species): void {
     const { centre, halfWidth, radius } = viewExtent(tree, LEAF_REACH * tree.leafLength * species.foliage.size);
     const fill = this.#passes.filled;
     const box = { centre, halfWidth, halfHeight: radius, depth: radius };
-    this.#jobs = this.#jobs.filter((job) => job.layer !== layer);
-    if (this.#current?.layer === layer) this.#current = null;
-    this.#jobs.push({ tree, species, layer, box, taken: 0, ms: 0 });
+    this.#queue.add({ tree, species, layer, box, taken: 0 });
     this.atlas.setFacts(layer, factsOf(tree, species, box, fill));
   }
 
-  /** Takes views for about `ms` milliseconds, one at least where one is left; true when all is done. */
-  bakeSome(renderer: WebGLRenderer, ms: number): boolean {
-    const began = performance.now();
-    if (this.#jobs.length === 0) return true;
-    this.#state.begin(renderer);
-    do this.#step(renderer);
-    while (this.#jobs.length > 0 && performance.now() - began < ms);
-    this.#state.end(renderer);
-    return this.#jobs.length === 0;
+  /** Takes views for about `ms` milliseconds, one at least where one is left. */
+  bakeSome(renderer: WebGLRenderer, ms: number): void {
+    this.#queue.work(renderer, ms);
   }
 
-  #step(renderer: WebGLRenderer): void {
-    const job = this.#jobs[0] as Job;
-    const began = performance.now();
+  #step(renderer: WebGLRenderer, job: Job): boolean {
     if (this.#current !== job) {
       this.#tree.setTree(job.tree, job.species, ROUNDING);
       this.#current = job;
@@ -89,19 +69,16 @@ export class ImpostorBaker {
       this.#tree.draw(renderer, this.#passes.view, viewDirection(i, j, views), job.box);
       this.#passes.takeView(renderer, i, j);
       job.taken++;
-    } else {
-      this.#passes.storeLayer(renderer, job.layer);
-      this.#ready[job.layer] = true;
-      this.#jobs.shift();
-      this.#current = null;
-      this.#tree.leave();
-      this.lastMs = job.ms;
+      return false;
     }
-    job.ms += performance.now() - began;
+    this.#passes.storeLayer(renderer, job.layer);
+    this.#current = null;
+    this.#tree.leave();
+    return true;
   }
 
   dispose(): void {
-    this.#jobs = [];
+    this.#queue.clear();
     this.#passes.dispose();
     this.#tree.dispose();
   }
