@@ -23,14 +23,14 @@ export const PAIRS: readonly Pair[] = [
   pair('Aspen Medium', 'quaking-aspen', 2, 'autumn'),
   pair('Aspen Large', 'quaking-aspen', 3, 'autumn'),
   pair('Bush 1', 'hazel-shrub', 1),
-  pair('Bush 2', 'hazel-shrub', 2),
+  pair('Bush 2', 'dog-rose', 2),
   pair('Bush 3', 'hazel-shrub', 3),
-  pair('Oak Small', 'swamp-white-oak', 1),
+  pair('Oak Small', 'young-oak', 1),
   pair('Oak Medium', 'swamp-white-oak', 2),
   pair('Oak Large', 'california-black-oak', 1),
   pair('Pine Small', 'jack-pine', 1),
   pair('Pine Medium', 'austrian-pine', 1),
   pair('Pine Large', 'scots-pine', 1),
-  // A climber on a trellis has no counterpart among ours: the tree that people train on wires stands beside it.
-  pair('Trellis', 'apple', 1),
+  // A climber on a trellis has no counterpart among ours: the wild form of what people train on one stands beside it.
+  pair('Trellis', 'dog-rose', 1),
 ];

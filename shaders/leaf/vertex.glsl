@@ -21,6 +21,10 @@ uniform vec2 leafFlutter;
 uniform float leafHang;
 // Direction towards which it blows at the tree, tree axes; shorter than 1 where it hardly does.
 uniform vec2 leafWind;
+#ifdef LEAF_CUT
+// Least and most depth, in the camera's space, at which leaves are drawn by this mesh: others are drawn finer or coarser by another.
+uniform vec2 leafCut;
+#endif
 #ifdef LEAF_PARTED
 // Leaves drawn as blades | as points, the one at the border as a fraction each | area of a blade of length and width 1.
 uniform vec3 leafPart;
@@ -40,6 +44,23 @@ vec3 swung(vec3 a, vec2 sines, vec2 cosines) {
   return a;
 }
 
+#ifdef LEAF_CUT
+// Is a leaf at a place of the tree drawn by this mesh, and may the picture show it?
+bool leafShown(vec3 centre) {
+  vec3 seen = (modelViewMatrix * vec4(centre, 1.0)).xyz;
+  float depth = -seen.z;
+  if (depth < leafCut.x || depth >= leafCut.y) return false;
+  // A leaf and its stalk, leant over, as a ball that is tested against the sides of the view.
+  float reach = 1.6 * max(leafSize.x, leafSize.y) * length(modelViewMatrix[0].xyz);
+  vec2 slope = vec2(projectionMatrix[0][0], projectionMatrix[1][1]);
+  bool perspective = projectionMatrix[2][3] != 0.0;
+  vec2 offset = perspective ? vec2(projectionMatrix[2][0], projectionMatrix[2][1]) * seen.z : vec2(projectionMatrix[3][0], projectionMatrix[3][1]);
+  float edge = perspective ? depth : 1.0;
+  vec2 room = reach * sqrt(slope * slope + (perspective ? 1.0 : 0.0));
+  return all(lessThan(abs(slope * seen.xy + offset), vec2(edge) + room));
+}
+#endif
+
 LeafVertex leafVertex() {
   int place = gl_InstanceID * leafRange.y + int(blade.z);
 #ifdef GROVE
@@ -56,6 +77,10 @@ LeafVertex leafVertex() {
   float phase = leaf.phase;
   float own = hashUnit(hashPcg(uint(phase * 65535.0 + 0.5)));
   Section section = sectionAt(pose, leaf.v);
+#ifdef LEAF_CUT
+  // Every corner falls on one point, so nothing is drawn.
+  if (!leafShown(section.centre)) return LeafVertex(vec3(0.0), vec3(0.0, 0.0, 1.0), 0.0);
+#endif
   mat3 frame = mat3(section.along, section.t, section.s);
   vec3 p = position * vec3(leafSize.x, leafSize.y, leafSize.y);
 #if defined(GROVE) && !defined(LEAF_ORGAN)

@@ -103,28 +103,43 @@ export const shadowBands = (level: number, bands: number, detail: Detail): numbe
 const NEAR = 42;
 
 /**
- * How finely `count` leaves are drawn whose blades are `length` pixels long on screen; `triangles` tells what a leaf of a grain takes.
+ * How finely `count` leaves are drawn whose blades are at most `length` pixels long on screen; `triangles` tells what a leaf of a grain takes.
+ * Those that are seen near by are drawn finer by themselves, see `nearDepth`.
  */
 export function leafGrain(
   length: number,
   count: number,
   triangles: (grain: LeafGrain) => number,
   detail: Detail,
-): LeafGrain {
-  const pixels = length * FACTOR[detail];
-  const affordable = (grain: LeafGrain): boolean => triangles(grain) * count <= FOLIAGE_TRIANGLES[detail];
-  if (pixels >= NEAR && affordable('near')) return 'near';
-  return pixels >= 9 && affordable('middle') ? 'middle' : 'far';
+): Exclude<LeafGrain, 'near'> {
+  const affordable = triangles('middle') * count <= FOLIAGE_TRIANGLES[detail];
+  return length * FACTOR[detail] >= 9 && affordable ? 'middle' : 'far';
 }
 
-/** Do veins show on leaves whose blades are `length` pixels long on screen? */
-export const showsVeins = (length: number, detail: Detail): boolean => length * FACTOR[detail] >= NEAR;
+/**
+ * The depth, in units of the camera's space, up to which leaves are seen near by, whose blades are `length` of these units long; 0 where none is.
+ * `scale`: pixels of a unit at depth 1, or at any depth where the camera has no perspective. `vertices`: what it takes to look at all of them.
+ */
+export function nearDepth(
+  length: number,
+  scale: number,
+  perspective: boolean,
+  vertices: number,
+  detail: Detail,
+): number {
+  if (vertices > NEAR_VERTICES[detail]) return 0;
+  const depth = (length * scale * FACTOR[detail]) / NEAR;
+  if (perspective) return depth;
+  return depth >= 1 ? Number.POSITIVE_INFINITY : 0;
+}
 
 /** Triangles that one level of stems, and the leaves, may take before a coarser form is chosen. */
 const STEM_TRIANGLES: Record<Detail, number> = { auto: 50_000, high: 2_000_000, low: 60_000 };
 /** And that the relief of their bark may take. */
 const RELIEF_TRIANGLES: Record<Detail, number> = { auto: 70_000, high: 600_000, low: 20_000 };
-const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 700_000, high: 6_000_000, low: 100_000 };
+const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 600_000, high: 6_000_000, low: 100_000 };
+/** Vertices of fine leaves, most of them dropped as too far away, that may be looked at for those that are near. */
+const NEAR_VERTICES: Record<Detail, number> = { auto: 1_600_000, high: 16_000_000, low: 0 };
 
 /** Leaves that are drawn at most, by default. */
 export const LEAF_BUDGET: Record<Detail, number> = { auto: 100_000, high: 600_000, low: 30_000 };

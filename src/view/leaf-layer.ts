@@ -1,8 +1,8 @@
 import { type Box3, type Camera, type Object3D, Vector2 } from 'three';
 import type { LeafGrain, LeafMesh } from '../core/look/leaf-mesh.ts';
-import { bundleFor, leafGeometry, recount } from './branch-geometry.ts';
+import { bundleFor, type LeafShadow, leafGeometry, recount } from './branch-geometry.ts';
 import type { channelUniforms } from './channel-texels.ts';
-import { leafGrain, leafGrowth, leavesCasting, leavesDrawn, showsVeins } from './detail.ts';
+import { leafGrain, leafGrowth, leavesCasting, leavesDrawn, nearDepth } from './detail.ts';
 import { disposeMaterials, dress, leafMaterials, type MaterialSet } from './tree-materials.ts';
 import type { Shown, TreeMesh } from './tree-parts.ts';
 import type { LeafUniforms, SharedUniforms } from './uniforms.ts';
@@ -37,22 +37,62 @@ export interface LeafLike {
   readonly roughness: number;
 }
 
-/** A mesh that draws the same small thing at many places of leaves: the leaves themselves, or what twigs bear besides. */
+/** Depth beyond everything. */
+const BEYOND = 1e9;
+
+/** One mesh of a layer, and what it draws now. */
+class LeafDraw {
+  readonly mesh: TreeMesh;
+  readonly leafCut = { value: new Vector2(-BEYOND, BEYOND) };
+  set: MaterialSet | null = null;
+
+  constructor(mesh: TreeMesh) {
+    this.mesh = mesh;
+  }
+
+  /** Draws `count` copies of a mesh, `made` standing for it; `shadow`: what it is in shadow maps. */
+  draw(made: string, mesh: () => LeafMesh, count: number, bundle: number, box: Box3, shadow: LeafShadow | null): void {
+    const { geometry } = this.mesh;
+    if (made === geometry.userData.made) {
+      recount(geometry, count, bundle, box, shadow?.count);
+      return;
+    }
+    geometry.dispose();
+    this.mesh.geometry = leafGeometry(mesh(), count, bundle, box, shadow);
+    this.mesh.geometry.userData.made = made;
+  }
+
+  dropMaterials(): void {
+    if (this.set) disposeMaterials(this.set);
+    this.set = null;
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.dropMaterials();
+  }
+}
+
+/** Meshes that draw the same small thing at many places of leaves: the leaves themselves, or what twigs bear besides. */
 export class LeafLayer {
   readonly #host: LeafHost;
   readonly #name: string;
   readonly #look: LeafUniforms;
   readonly #defines: Readonly<Record<'near' | 'far', readonly string[]>>;
-  /** What shadow maps draw of the same leaves. */
-  readonly #cast = { leafRange: { value: new Vector2() }, leafSize: { value: new Vector2(1, 1) } };
-  #mesh: TreeMesh | null = null;
-  #materials: Partial<Record<'near' | 'far', MaterialSet>> = {};
+  /** What shadow maps draw of the same leaves: at any depth. */
+  readonly #cast = {
+    leafRange: { value: new Vector2() },
+    leafSize: { value: new Vector2(1, 1) },
+    leafCut: { value: new Vector2(-BEYOND, BEYOND) },
+  };
+  /** All that are not near, and the shadow of all; those that are near, where there may be any. */
+  #far: LeafDraw | null = null;
+  #near: LeafDraw | null = null;
   #thing: LeafLike | null = null;
-  /** How many the mesh's geometry has, 0 for none, and how finely it draws each. */
+  /** How many the far mesh's geometry has, 0 for none, and how finely it draws each. */
   #drawn = 0;
   #casting = 0;
   #grain: LeafGrain = 'far';
-  #kind: 'near' | 'far' = 'far';
 
   constructor(
     host: LeafHost,
@@ -66,20 +106,21 @@ export class LeafLayer {
     this.#defines = defines;
   }
 
-  get mesh(): TreeMesh | null {
-    return this.#mesh;
+  /** The meshes that there are. */
+  get meshes(): readonly TreeMesh[] {
+    return [this.#far, this.#near].flatMap((draw) => draw?.mesh ?? []);
   }
 
   /** How many the last frame drew. */
   get count(): number {
-    return this.#mesh?.visible ? this.#look.leafRange.value.x : 0;
+    return this.#far?.mesh.visible ? this.#look.leafRange.value.x : 0;
   }
 
   /** Takes other things to draw; their geometry is made at the next frame. */
   take(thing: LeafLike): void {
     this.#thing = thing;
     this.#drawn = 0;
-    for (const set of Object.values(this.#materials)) set.standard.roughness = thing.roughness;
+    for (const draw of [this.#far, this.#near]) if (draw?.set) draw.set.standard.roughness = thing.roughness;
   }
 
   /** Chooses what is drawn for this camera. `box`: bounds of the tree in any wind. */
@@ -88,24 +129,26 @@ export class LeafLayer {
     const surfaces = shown.mode !== 'control' && shown.mode !== 'levels';
     const visible = shown.leaves && surfaces && shown.leafBudget > 0 && this.#thing !== null && this.#thing.count > 0;
     if (visible && this.#thing) this.#fitThing(this.#thing, camera, box);
-    if (this.#mesh) this.#mesh.visible = visible;
+    if (this.#far) this.#far.mesh.visible = visible;
+    if (this.#near && !visible) this.#near.mesh.visible = false;
   }
 
   setWireframe(wireframe: boolean): void {
-    for (const set of Object.values(this.#materials)) set.standard.wireframe = wireframe;
+    for (const draw of [this.#far, this.#near]) if (draw?.set) draw.set.standard.wireframe = wireframe;
   }
 
   /** Their programs are others: what is drawn next makes them anew. */
   dropMaterials(): void {
-    for (const set of Object.values(this.#materials)) disposeMaterials(set);
-    this.#materials = {};
+    this.#far?.dropMaterials();
+    this.#near?.dropMaterials();
     this.#drawn = 0;
   }
 
   dispose(): void {
-    this.#mesh?.geometry.dispose();
-    this.dropMaterials();
-    this.#mesh = null;
+    this.#far?.dispose();
+    this.#near?.dispose();
+    this.#far = null;
+    this.#near = null;
   }
 
   #fitThing(thing: LeafLike, camera: Camera, box: Box3): void {
@@ -114,47 +157,74 @@ export class LeafLayer {
     const most = Math.min(thing.count, shown.leafBudget * treeCount);
     const count = leavesDrawn(thing.count, thing.length * scale, most, shown.detail);
     const [growX, growY] = leafGrowth(count / thing.count, thing.widthOverLength);
-    const pixels = thing.length * growY * scale;
-    const grain = leafGrain(pixels, count / treeCount, (g) => thing.triangles[g], shown.detail);
-    // Where there are too many leaves for the finest grain they are near all the same.
-    const kind = showsVeins(pixels, shown.detail) ? 'near' : 'far';
+    const grain = leafGrain(thing.length * growY * scale, count / treeCount, (g) => thing.triangles[g], shown.detail);
     const casting = leavesCasting(count, shown.detail);
-    if (this.#drawn === count && this.#grain === grain && this.#kind === kind && this.#casting === casting) return;
-    this.#mesh ??= this.#host.newMesh(this.#name);
-    const mesh = this.#mesh;
     const bundle = bundleFor(count);
-    const castGrain = shown.detail === 'high' ? grain : 'far';
-    const made = `${thing.key} ${grain} ${castGrain} ${bundle}`;
-    if (made === mesh.geometry.userData.made) recount(mesh.geometry, count, bundle, box, casting);
-    else {
-      mesh.geometry.dispose();
-      mesh.geometry = leafGeometry(thing.mesh(grain, bundle), count, bundle, box, {
-        mesh: thing.mesh(castGrain, bundle),
-        count: casting,
-      });
-      mesh.geometry.userData.made = made;
+    this.#far ??= this.#draw('far');
+    if (this.#drawn !== count || this.#grain !== grain || this.#casting !== casting) {
+      const castGrain = shown.detail === 'high' ? grain : 'far';
+      const shadow = { mesh: thing.mesh(castGrain, bundle), count: casting };
+      const made = `${thing.key} ${grain} ${castGrain} ${bundle}`;
+      this.#far.draw(made, () => thing.mesh(grain, bundle), count, bundle, box, shadow);
+      this.#look.leafRange.value.set(count, bundle);
+      this.#look.leafSize.value.set(growX * thing.length, growY * thing.length);
+      const [castX, castY] = leafGrowth(casting / thing.count, thing.widthOverLength);
+      this.#cast.leafRange.value.set(casting, bundle);
+      this.#cast.leafSize.value.set(castX * thing.length, castY * thing.length);
+      this.#drawn = count;
+      this.#casting = casting;
+      this.#grain = grain;
     }
-    this.#look.leafRange.value.set(count, bundle);
-    this.#look.leafSize.value.set(growX * thing.length, growY * thing.length);
-    const [castX, castY] = leafGrowth(casting / thing.count, thing.widthOverLength);
-    this.#cast.leafRange.value.set(casting, bundle);
-    this.#cast.leafSize.value.set(castX * thing.length, castY * thing.length);
-    dress(mesh, this.#set(kind, thing.roughness));
-    this.#drawn = count;
-    this.#casting = casting;
-    this.#grain = grain;
-    this.#kind = kind;
+    this.#dress(this.#far, 'far', thing);
+    const depth = this.#nearDepth(thing, growY, camera, scale, count);
+    this.#far.leafCut.value.x = depth > 0 ? depth : -BEYOND;
+    if (depth > 0) this.#drawNear(thing, depth, count, bundle, box);
+    else if (this.#near) this.#near.mesh.visible = false;
   }
 
-  #set(kind: 'near' | 'far', roughness: number): MaterialSet {
-    const made = this.#materials[kind];
-    if (made) return made;
+  /** Depth up to which leaves are seen near by; 0 where none can be. */
+  #nearDepth(thing: LeafLike, growth: number, camera: Camera, nearest: number, count: number): number {
+    const { shown, pictureHeight, matrixWorld } = this.#host;
+    const { elements } = camera.projectionMatrix;
+    const perspective = elements[15] !== 1;
+    const length = thing.length * growth * matrixWorld.getMaxScaleOnAxis();
+    // About as many vertices as triangles: those of a blade lie in two rows or three.
+    const depth = nearDepth(
+      length,
+      elements[5]! * pictureHeight * 0.5,
+      perspective,
+      thing.triangles.near * count,
+      shown.detail,
+    );
+    // A mesh of leaves none of which is near would be drawn for nothing.
+    return depth > 0 && nearDepth(thing.length * growth * nearest, 1, false, 0, shown.detail) > 0 ? depth : 0;
+  }
+
+  #drawNear(thing: LeafLike, depth: number, count: number, bundle: number, box: Box3): void {
+    this.#near ??= this.#draw('near');
+    const { mesh, leafCut } = this.#near;
+    if (mesh.geometry.userData.count !== count || mesh.geometry.userData.of !== thing) {
+      this.#near.draw(`${thing.key} ${bundle}`, () => thing.mesh('near', bundle), count, bundle, box, null);
+      mesh.geometry.userData.of = thing;
+    }
+    leafCut.value.y = depth;
+    mesh.visible = true;
+    mesh.castShadow = false; // the far mesh casts for all
+    this.#dress(this.#near, 'near', thing);
+  }
+
+  #draw(kind: 'near' | 'far'): LeafDraw {
+    return new LeafDraw(this.#host.newMesh(kind === 'near' ? `${this.#name} near by` : this.#name));
+  }
+
+  #dress(draw: LeafDraw, kind: 'near' | 'far', { roughness }: LeafLike): void {
+    if (draw.set) return;
     const { shared, channelLook, shown } = this.#host;
-    const defines = [...this.#defines[kind], ...this.#host.viewDefines()];
-    const set = leafMaterials(defines, { ...shared, ...channelLook, ...this.#look }, this.#cast);
-    set.standard.roughness = roughness;
-    set.standard.wireframe = shown.mode === 'wireframe';
-    this.#materials[kind] = set;
-    return set;
+    const defines = ['LEAF_CUT', ...this.#defines[kind], ...this.#host.viewDefines()];
+    const uniforms = { ...shared, ...channelLook, ...this.#look, leafCut: draw.leafCut };
+    draw.set = leafMaterials(defines, uniforms, this.#cast);
+    draw.set.standard.roughness = roughness;
+    draw.set.standard.wireframe = shown.mode === 'wireframe';
+    dress(draw.mesh, draw.set);
   }
 }

@@ -43,7 +43,7 @@ export class TreeLeaves implements Foliage {
 
   /** The meshes that there are. */
   meshes(): readonly TreeMesh[] {
-    return [this.#leaves.mesh, this.#organs.mesh].filter((mesh) => mesh !== null);
+    return [...this.#leaves.meshes, ...this.#organs.meshes];
   }
 
   /** Leaves that the last frame drew. */

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { type LeafGrain, leafTriangles } from '../../src/core/look/leaf-mesh.ts';
-import { gridDetail, leafGrain, leafGrowth, leavesDrawn } from '../../src/view/detail.ts';
+import { gridDetail, leafGrain, leafGrowth, leavesDrawn, nearDepth } from '../../src/view/detail.ts';
 
 describe('leaf budget', () => {
   it('keeps the cover: width times length grows as the leaves get fewer, a little less as they overlap less', () => {
@@ -32,10 +32,20 @@ describe('leaf budget', () => {
 
   it('draws leaves coarser the smaller they are, and the more there are', () => {
     const cost = (grain: LeafGrain) => leafTriangles({ shape: 0, width: 1, petiole: 0.6 }, grain);
-    expect(leafGrain(100, 1000, cost, 'auto')).toBe('near');
     expect(leafGrain(100, 60_000, cost, 'auto')).toBe('middle');
     expect(leafGrain(100, 600_000, cost, 'auto')).toBe('far');
     expect(leafGrain(4, 1000, cost, 'auto')).toBe('far');
     expect(leafGrain(4, 1000, cost, 'high')).toBe('middle');
+  });
+
+  it('draws those finest that are 42 pixels long or longer, unless looking for them takes too long', () => {
+    // A blade of 0.1 m at 700 pixels a metre at depth 1.
+    const depth = nearDepth(0.1, 700, true, 1000, 'auto');
+    expect((0.1 * 700) / depth).toBeCloseTo(42, 9);
+    expect(nearDepth(0.1, 700, true, 1000, 'high')).toBeCloseTo(4 * depth, 9);
+    expect(nearDepth(0.1, 700, true, 2_000_000, 'auto')).toBe(0);
+    // Without perspective all are or none is.
+    expect(nearDepth(0.1, 421, false, 1000, 'auto')).toBe(Number.POSITIVE_INFINITY);
+    expect(nearDepth(0.1, 419, false, 1000, 'auto')).toBe(0);
   });
 });
