@@ -45,6 +45,8 @@ export default defineConfig({
     locale: 'en-GB',
     timezoneId: 'UTC',
     colorScheme: 'light',
+    // What a page shows must not depend on what an earlier one had kept; e2e/site.spec.ts allows it for itself.
+    serviceWorkers: 'block',
     trace: 'off',
     screenshot: 'only-on-failure',
   },

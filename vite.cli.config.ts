@@ -2,7 +2,8 @@ import { chmodSync, cpSync } from 'node:fs';
 import { join } from 'node:path';
 import { defineConfig } from 'vite';
 
-const out = join(import.meta.dirname, 'dist-cli');
+/** The tests of the package build into a folder of their own (tests/lib/packed.ts). */
+const out = process.env.WINDGROVE_CLI_BUILD ?? join(import.meta.dirname, 'dist-cli');
 const source = (file: string): string => join(import.meta.dirname, 'src/cli', file);
 
 /**

@@ -1,7 +1,9 @@
 import { resolve } from 'node:path';
 import { defineConfig } from 'vite';
-import { shaders } from './vite.glsl.ts';
-import { site } from './vite.site.ts';
+import { shaders } from './build/glsl.ts';
+import { learn } from './build/learn.ts';
+import { reference } from './build/reference.ts';
+import { site } from './build/site.ts';
 
 /** Pages that ship and are built together; vite.further.config.ts has the others, vite.pages.config.ts those of the browser tests. */
 const pages = ['index.html', 'crosscheck.html'];
@@ -14,9 +16,11 @@ const desktop = process.platform !== 'linux' || Boolean(process.env.DISPLAY || p
 
 export default defineConfig({
   base: './',
+  // Pages, each for itself: an address that there is not is none, and not the editor.
+  appType: 'mpa',
   server: { open: desktop && process.env.npm_lifecycle_event === 'start' },
   preview: { open: false },
-  plugins: [shaders(), site()],
+  plugins: [shaders(), learn(), reference(), site()],
   // zundo asks for all of zustand, which brings React with it; it uses what the plain part has.
   resolve: { alias: [{ find: /^zustand$/, replacement: 'zustand/vanilla' }] },
   worker: { format: 'es' },

@@ -1,5 +1,5 @@
 import { defineConfig } from 'vitest/config';
-import { shaders } from './vite.glsl.ts';
+import { shaders } from './build/glsl.ts';
 
 // Apart from vite.config.ts: tests need the shaders as text, not the pages or the build.
 export default defineConfig({

@@ -1,10 +1,10 @@
 // One tree of ours beside ez-tree's on the same stage: a still of either (?tree=windgrove&species=..&seed=..&view=near or
 // ?tree=ez-tree&preset=..), or, with ?measure, the time that a frame of each takes, in turn, in one context.
 import { Mesh } from 'three';
+import { interleave } from '../src/gpu/interleave.ts';
 import { rendererName } from '../src/gpu/renderer-name.ts';
 import { Stage } from '../src/view/stage.ts';
 import { type Contestant, ezTree, windgroveTree } from './contestants.ts';
-import { interleave } from './interleave.ts';
 import { PAIRS } from './pairs.ts';
 import type { BenchReport, FailedReport } from './report.ts';
 

@@ -1,9 +1,11 @@
 // Milliseconds of a frame of bent pieces beside one static mesh of the same triangles in the same material.
 import { DirectionalLight, HemisphereLight, type Mesh, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { interleave, type Subject } from '../src/gpu/interleave.ts';
 import { rendererName } from '../src/gpu/renderer-name.ts';
+import { deformedMesh } from '../src/view/deformed-mesh.ts';
 import { branchGrid } from '../src/view/grid.ts';
-import { CASES, deformedMesh, staticMesh, strewnPieces } from './deform-subjects.ts';
-import { interleave, type Subject } from './interleave.ts';
+import { strewnPieces } from '../src/view/strewn-pieces.ts';
+import { CASES, staticMesh } from './deform-subjects.ts';
 import type { BenchReport, Table } from './report.ts';
 
 const query = new URLSearchParams(location.search);

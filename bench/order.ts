@@ -6,12 +6,12 @@ import { PIECE_LAYERS } from '../src/core/pack/layout.ts';
 import type { PackedTree, TexelArray } from '../src/core/pack/packed.ts';
 import type { Wind } from '../src/core/wind/wind.ts';
 import { syntheticTree } from '../src/gpu/crosscheck/synthetic-tree.ts';
+import { interleave, type Subject } from '../src/gpu/interleave.ts';
 import { rendererName } from '../src/gpu/renderer-name.ts';
 import { STEP } from '../src/gpu/step.ts';
 import { TreeTextures } from '../src/gpu/tree-textures.ts';
 import { WindPass } from '../src/gpu/wind-pass.ts';
 import { windSource } from '../src/gpu/wind-source.ts';
-import { interleave, type Subject } from './interleave.ts';
 import type { BenchReport } from './report.ts';
 
 const query = new URLSearchParams(location.search);

@@ -7,12 +7,12 @@ import { createWindState } from '../src/core/wind/fade.ts';
 import { poseTree } from '../src/core/wind/pose-tree.ts';
 import type { Wind } from '../src/core/wind/wind.ts';
 import { syntheticTree } from '../src/gpu/crosscheck/synthetic-tree.ts';
+import { interleave, type Subject, type Timing } from '../src/gpu/interleave.ts';
 import { rendererName } from '../src/gpu/renderer-name.ts';
 import { STEP } from '../src/gpu/step.ts';
 import { TreeTextures } from '../src/gpu/tree-textures.ts';
 import { WindPass } from '../src/gpu/wind-pass.ts';
 import { windSource } from '../src/gpu/wind-source.ts';
-import { interleave, type Subject, type Timing } from './interleave.ts';
 import { LaggedStepper } from './lagged-stepper.ts';
 
 interface Row {

@@ -1,4 +1,4 @@
-import type { Timing } from './interleave.ts';
+import type { Timing } from '../src/gpu/interleave.ts';
 import type { BenchReport } from './report.ts';
 
 /** What the page of the wind pass writes; the first timing of a row is the floor. */

@@ -1,7 +1,7 @@
 // A shadow is sharp where it begins and soft where it ends: its rim widens with the light's way from what throws it. At a distance
 // from the foot, along the shadow, that is about as high as the light is steep.
 #if defined(USE_SHADOWMAP) && defined(SHADOWMAP_TYPE_PCF)
-float groundShadow(sampler2DShadow map, vec2 size, float intensity, float bias, float radius, vec4 coord) {
+float groundShadow(SHADOW_MAP map, vec2 size, float intensity, float bias, float radius, vec4 coord) {
   float along = max(0.0, dot(vGround.xz, groundShade.xy));
   // Where a pixel covers more of the ground than a trunk's shadow is wide, it is seen through all of it, or the shadow would be dashes.
   vec2 pixel = fwidth(coord.xy) * size;

@@ -1,5 +1,5 @@
 import type { WebGLRenderer } from 'three';
-import { interleave, type Subject, type Timing } from '../../bench/interleave.ts';
+import { interleave, type Subject, type Timing } from '../gpu/interleave.ts';
 
 /** A frame to time; `draw` moves and draws. */
 export interface Frame {

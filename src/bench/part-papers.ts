@@ -1,12 +1,13 @@
 import { PerspectiveCamera, Scene, WebGLRenderer } from 'three';
-import { deformedMesh, strewnPieces } from '../../bench/deform-subjects.ts';
-import { interleave, type Subject } from '../../bench/interleave.ts';
 import { syntheticTree } from '../gpu/crosscheck/synthetic-tree.ts';
+import { interleave, type Subject } from '../gpu/interleave.ts';
 import { STEP } from '../gpu/step.ts';
 import { TreeTextures } from '../gpu/tree-textures.ts';
 import { WindPass } from '../gpu/wind-pass.ts';
 import { windSource } from '../gpu/wind-source.ts';
+import { deformedMesh } from '../view/deformed-mesh.ts';
 import { loadWind } from '../view/load.ts';
+import { strewnPieces } from '../view/strewn-pieces.ts';
 import { timeFrames } from './frame-timer.ts';
 import { type Section, SIZE } from './section.ts';
 import { words } from './words.ts';

@@ -85,7 +85,7 @@ export const words = {
     columns: ['what', 'source', 'theirs, a second', 'here, a second'],
     steps: (side: number) => `wind steps over ${side} x ${side} pieces`,
     vertices: (count: string) => `frames of ${count} deformed vertices`,
-    source: 'the papers, GeForce 6800 GT',
+    source: 'the papers, GeForce 6800 GT (frames) and 7900 GTX (wind)',
     trees: 'animated trees at once',
     many: 'over 100',
     above: 'see “A hundred trees”',

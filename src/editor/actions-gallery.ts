@@ -33,7 +33,7 @@ export function galleryActions(
         probe: null,
         camera: null,
       };
-      const address = services.addressOf({ ...services.now(), ...tree }, true);
+      const address = services.addressOf({ ...services.now(), ...tree });
       const snippet = embedSnippet(address, fileWords.embedTitle(entry.name));
       return services.copy(snippet).then(
         () => null,

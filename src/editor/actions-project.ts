@@ -5,7 +5,7 @@ import { embedSnippet } from './embed-snippet.ts';
 import { FileError } from './file-error.ts';
 import { type KeptFile, keptFile } from './kept-file.ts';
 import { madeOf, sameMade } from './made.ts';
-import { type Readers, showFile } from './open-file.ts';
+import type { Readers } from './open-file.ts';
 import { textOf } from './public-file.ts';
 import { loadSpecies, readSpecies } from './species-source.ts';
 import { fileWords } from './words/files.ts';
@@ -72,18 +72,21 @@ export function projectActions(doing: Doing, readers: Readers) {
   document.history.onFile = (file) => session.setState({ file });
   const isEdited = (): boolean => document.history.canUndo || document.history.canRedo;
   const opening = { ...doing, ...readers, replaceWork, isEdited };
+  // What opens files is loaded with the first file.
+  const show = async (text: string, file: DiskFile): Promise<void> =>
+    (await import('./open-file.ts')).showFile(text, file, opening);
 
   /** Opens a text, whatever of all kinds it is; `name` stands in messages. */
   const openText = async (text: string, name: string, handle: FileSystemFileHandle | null = null): Promise<void> => {
     try {
-      await showFile(text, { name, handle }, opening);
+      await show(text, { name, handle });
     } catch (error) {
       tell(fileWords.unreadable(name), error);
     }
   };
   const openFile = async (file: File, handle: FileSystemFileHandle | null = null): Promise<void> => {
     try {
-      await showFile(await textOf(file, LONGEST_PROJECT), { name: file.name, handle }, opening);
+      await show(await textOf(file, LONGEST_PROJECT), { name: file.name, handle });
     } catch (error) {
       tell(fileWords.unreadable(file.name), error);
     }
@@ -113,7 +116,7 @@ export function projectActions(doing: Doing, readers: Readers) {
     /** Copies what shows this tree in another page. */
     async copyEmbed(): Promise<void> {
       const now = services.now();
-      const snippet = embedSnippet(services.addressOf(now, true), fileWords.embedTitle(treeName()));
+      const snippet = embedSnippet(services.addressOf(now), fileWords.embedTitle(treeName()));
       try {
         await services.copy(snippet);
         notify('note', fileWords.embedCopied);

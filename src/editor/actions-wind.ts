@@ -1,6 +1,6 @@
 import { type Comparison, type OverlayChoice, OWN_WIND } from '../core/link/link.ts';
 import { LINK_NUMBERS, roundTo } from '../core/link/numbers.ts';
-import { type LoopedWind, loopWind } from '../core/wind/loop.ts';
+import type { LoopedWind, loopWind } from '../core/wind/loop.ts';
 import type { SpringLevel, Wind, WindRecord } from '../core/wind/wind.ts';
 import { SPRING_LEVELS } from '../core/wind/wind.ts';
 import { type WizardChoice, wizardWind } from '../core/wind/wizard.ts';
@@ -49,9 +49,9 @@ export function windActions({ document, session, clock, set, say }: Doing) {
       put({ ...wizardWind(wizard), model, spring, sway, pose }, OWN_WIND);
       if (!document.getState().blowing) set({ blowing: true });
     },
-    /** Nudges speeds so that the wind comes around every `seconds`; says how much that took and what stays open. */
-    loopEvery(seconds: number): LoopedWind {
-      const looped = loopWind(edited().wind, seconds, clock.time);
+    /** Nudges speeds so that the wind comes around every `seconds`; says how much that took and what stays open. `nudge` comes with who asks: nobody else loads it. */
+    loopEvery(seconds: number, nudge: typeof loopWind): LoopedWind {
+      const looped = nudge(edited().wind, seconds, clock.time);
       put(looped.wind);
       say(windMessages.loops(seconds, looped.open));
       return looped;

@@ -70,11 +70,11 @@ export class Address {
     return decodeLink(this.link, options);
   }
 
-  /** The whole address of a document; `embed`: for a frame of another page. */
-  of(document: LinkDocument, embed = this.embed): string {
+  /** The whole address of a document. */
+  of(document: LinkDocument): string {
     const url = new URL(location.href);
     url.search = '';
-    url.hash = `${encodeLink(document)}${embed ? '&embed=1' : ''}`;
+    url.hash = `${encodeLink(document)}${this.embed ? '&embed=1' : ''}`;
     return url.href;
   }
 

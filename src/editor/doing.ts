@@ -25,8 +25,8 @@ export interface Services {
   now(): LinkDocument;
   /** The document of a first visit. */
   first(): LinkDocument;
-  /** The whole address that shows a document; `embed`: in another page, without panels. */
-  addressOf(document: LinkDocument, embed?: boolean): string;
+  /** The whole address that shows a document. */
+  addressOf(document: LinkDocument): string;
   /** Reads a link as the address has it. */
   read(link: string): { readonly document: LinkDocument; readonly faults: readonly LinkFault[] };
   /** Shows a document whole, its time and camera too, as one step. */

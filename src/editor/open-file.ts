@@ -3,6 +3,7 @@ import { isProjectText } from '../core/project/limits.ts';
 import type { ParsedRecord } from './actions-files.ts';
 import type { DiskFile, Doing } from './doing.ts';
 import { FileError } from './file-error.ts';
+import { isWindText } from './file-kinds.ts';
 import { type KeptFile, keptFile } from './kept-file.ts';
 import { readSpecies } from './species-source.ts';
 import { fileWords } from './words/files.ts';
@@ -23,17 +24,6 @@ export interface Opening extends Doing, Readers {
   /** Shows another work; its file goes with the step. */
   replaceWork(show: () => void, next: () => KeptFile | null): void;
 }
-
-/** A file of a wind says so in its first lines, whatever else is wrong with it. */
-export const isWindText = (text: string): boolean => /"format"\s*:\s*"windgrove-wind"/.test(text);
-
-/** Whether a text says of itself that it is something to open: what is pasted by the way is not. */
-export const isFileText = (text: string): boolean =>
-  isWindText(text) ||
-  isProjectText(text) ||
-  /"format"\s*:\s*"windgrove-species"/.test(text) ||
-  isArbaro(text) ||
-  isEzTree(text);
 
 /**
  * Opens what the reader gives, whichever the file says that it is: a project, a species, a wind, a measured wind, or a tree of another

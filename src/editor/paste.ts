@@ -1,5 +1,5 @@
 import type { Actions } from './actions.ts';
-import { isFileText, isWindText } from './open-file.ts';
+import { isFileText, isWindText } from './file-kinds.ts';
 import { fileWords } from './words/files.ts';
 
 /** Takes a wind, a tree or a project that is pasted anywhere on the page; what is pasted into a box is the box's. */

@@ -32,7 +32,7 @@ export function pageServices(
     cancelGrowing,
     copy,
     when: Date.now,
-    addressOf: (document, embed = false) => address.of(document, embed),
+    addressOf: (document) => address.of(document),
     save: download,
     async share() {
       const document = now();

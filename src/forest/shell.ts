@@ -1,4 +1,5 @@
 import { html, nothing, render, type TemplateResult } from 'lit';
+import { SITE_PAGES } from '../site/pages.ts';
 import { counters } from './counters.ts';
 import { panel } from './panel.ts';
 import type { Scene, Sources } from './sources.ts';
@@ -15,6 +16,12 @@ const ICONS = {
 
 const icon = (path: string): TemplateResult =>
   html`<svg class="icon" viewBox="0 0 16 16" fill="none" aria-hidden="true"><path d=${path} /></svg>`;
+
+const pages = (): TemplateResult =>
+  html`<nav aria-label=${words.pages}>${SITE_PAGES.map(
+    ({ id, name, short = name, href }) =>
+      html`<a href=${`./${href}`} aria-current=${id === 'forest' ? 'page' : nothing}>${short}</a>`,
+  )}</nav>`;
 
 export interface ShellWork {
   readonly onScene: (scene: Scene) => void;
@@ -37,11 +44,7 @@ export function drawShell(into: HTMLElement, store: Store, sources: Sources, wor
             @click=${() => store.set({ open: !open })}>${icon(open ? ICONS.up : ICONS.down)}</button>
         </header>
         <div id="settings" role="region" aria-label=${words.panel} ?hidden=${!open}>
-          <nav aria-label=${words.pages}>
-            <a href="./index.html">${words.editor}</a>
-            <a href="./forest.html" aria-current="page">${words.forest}</a>
-            <a href="./crosscheck.html">${words.crosscheck}</a>
-          </nav>
+          ${pages()}
           ${panel(store, sources, { standing: world.standing, ownSpeed: world.ownSpeed, ...work })}
         </div>
         <div class="now" ?hidden=${!open}></div>
@@ -84,7 +87,7 @@ export function drawCounters(into: HTMLElement, world: World): void {
 export function drawFailure(into: HTMLElement, title: string, more: string): void {
   render(
     html`<div class="failure" role="alert"><h1>${title}</h1><p>${more}</p>
-      <nav aria-label=${words.pages}><a href="./index.html">${words.editor}</a><a href="./crosscheck.html">${words.crosscheck}</a></nav>
+      ${pages()}
     </div>`,
     into,
   );

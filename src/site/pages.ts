@@ -3,6 +3,8 @@ export interface SitePage {
   readonly id: string;
   /** As a heading says it. */
   readonly name: string;
+  /** The same where all of them stand in a row; `name` where it is short enough. */
+  readonly short?: string;
   /** What one finds there, in a line. */
   readonly about: string;
   /** Its address, seen from the top of the site. */
@@ -23,6 +25,7 @@ export const SITE_PAGES: readonly SitePage[] = [
   {
     id: 'range',
     name: 'Degradation at range',
+    short: 'At range',
     about: 'What is left of a tree from afar (Weber & Penn, Table 2)',
     href: 'range.html',
   },

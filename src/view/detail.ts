@@ -99,8 +99,13 @@ const SHADOW_BANDS = [12, 4, 2, 1] as const;
 export const shadowBands = (level: number, bands: number, detail: Detail): number =>
   detail === 'high' ? bands : Math.min(bands, SHADOW_BANDS[Math.min(level, SHADOW_BANDS.length - 1)] as number);
 
-/** Length in pixels from which on a leaf is seen near by. */
-const NEAR = 42;
+/** Length in pixels from which on a leaf of so many triangles is drawn in a grain: each of them is worth its time where it covers some pixels. */
+const GRAIN = { near: { pixels: 42, triangles: 33 }, middle: { pixels: 9, triangles: 5 } } as const;
+
+function leastLength(grain: 'near' | 'middle', triangles: number, detail: Detail): number {
+  const usual = GRAIN[grain];
+  return (usual.pixels * Math.sqrt(triangles / usual.triangles)) / FACTOR[detail];
+}
 
 /**
  * How finely `count` leaves are drawn whose blades are at most `length` pixels long on screen; `triangles` tells what a leaf of a grain takes.
@@ -112,23 +117,25 @@ export function leafGrain(
   triangles: (grain: LeafGrain) => number,
   detail: Detail,
 ): Exclude<LeafGrain, 'near'> {
-  const affordable = triangles('middle') * count <= FOLIAGE_TRIANGLES[detail];
-  return length * FACTOR[detail] >= 9 && affordable ? 'middle' : 'far';
+  const each = triangles('middle');
+  return length >= leastLength('middle', each, detail) && each * count <= FOLIAGE_TRIANGLES[detail] ? 'middle' : 'far';
 }
 
-/**
- * The depth, in units of the camera's space, up to which leaves are seen near by, whose blades are `length` of these units long; 0 where none is.
- * `scale`: pixels of a unit at depth 1, or at any depth where the camera has no perspective. `vertices`: what it takes to look at all of them.
- */
-export function nearDepth(
-  length: number,
-  scale: number,
-  perspective: boolean,
-  vertices: number,
-  detail: Detail,
-): number {
-  if (vertices > NEAR_VERTICES[detail]) return 0;
-  const depth = (length * scale * FACTOR[detail]) / NEAR;
+/** A leaf as a camera sees it. */
+export interface LeafSeen {
+  /** Of its blade, in units of the camera's space. */
+  readonly length: number;
+  /** Of its finest form. */
+  readonly triangles: number;
+  /** Pixels of a unit at depth 1, or at any depth where the camera has no perspective. */
+  readonly scale: number;
+  readonly perspective: boolean;
+}
+
+/** The depth, in units of the camera's space, up to which `count` leaves are drawn in their finest form; 0 where none is, or where looking for them takes too long. */
+export function nearDepth({ length, triangles, scale, perspective }: LeafSeen, count: number, detail: Detail): number {
+  if (triangles * count > NEAR_TRIANGLES[detail]) return 0;
+  const depth = (length * scale) / leastLength('near', triangles, detail);
   if (perspective) return depth;
   return depth >= 1 ? Number.POSITIVE_INFINITY : 0;
 }
@@ -138,8 +145,8 @@ const STEM_TRIANGLES: Record<Detail, number> = { auto: 50_000, high: 2_000_000, 
 /** And that the relief of their bark may take. */
 const RELIEF_TRIANGLES: Record<Detail, number> = { auto: 70_000, high: 600_000, low: 20_000 };
 const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 600_000, high: 6_000_000, low: 100_000 };
-/** Vertices of fine leaves, most of them dropped as too far away, that may be looked at for those that are near. */
-const NEAR_VERTICES: Record<Detail, number> = { auto: 1_600_000, high: 16_000_000, low: 0 };
+/** Triangles of leaves in their finest form that may be looked at for those that are near: the others are dropped one by one. */
+const NEAR_TRIANGLES: Record<Detail, number> = { auto: 700_000, high: 16_000_000, low: 0 };
 
 /** Leaves that are drawn at most, by default. */
 export const LEAF_BUDGET: Record<Detail, number> = { auto: 100_000, high: 600_000, low: 30_000 };

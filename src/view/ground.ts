@@ -16,6 +16,7 @@ import groundShadow from '../../shaders/stage/ground-shadow.glsl';
 import skyGlsl from '../../shaders/stage/sky.glsl';
 import type { ForceField } from './force-field.ts';
 import { inject } from './inject.ts';
+import { SHADOW_MAP } from './shadow-map.ts';
 import type { StageLook } from './stage-look.ts';
 import { grassTexture } from './stage-textures.ts';
 import type { Sun } from './sun.ts';
@@ -37,7 +38,7 @@ vLaid = 1.0 - exp(-6.0 * length(fieldForce(vec2(vGround.x, -vGround.z))));`,
   ],
   fragment: [
     { anchor: '#include <common>', after: `${groundGlsl}\nin float vLaid;` },
-    { anchor: '#include <shadowmap_pars_fragment>', after: `${groundShadow}\n${groundNormal}` },
+    { anchor: '#include <shadowmap_pars_fragment>', after: `${SHADOW_MAP}\n${groundShadow}\n${groundNormal}` },
     {
       anchor: '#include <map_fragment>',
       after: 'diffuseColor.rgb *= groundDiffuse(); diffuseColor.rgb *= 1.0 + 0.22 * vLaid;',

@@ -186,18 +186,16 @@ export class LeafLayer {
   #nearDepth(thing: LeafLike, growth: number, camera: Camera, nearest: number, count: number): number {
     const { shown, pictureHeight, matrixWorld } = this.#host;
     const { elements } = camera.projectionMatrix;
-    const perspective = elements[15] !== 1;
-    const length = thing.length * growth * matrixWorld.getMaxScaleOnAxis();
-    // About as many vertices as triangles: those of a blade lie in two rows or three.
-    const depth = nearDepth(
-      length,
-      elements[5]! * pictureHeight * 0.5,
-      perspective,
-      thing.triangles.near * count,
-      shown.detail,
-    );
+    const leaf = { length: thing.length * growth, triangles: thing.triangles.near };
     // A mesh of leaves none of which is near would be drawn for nothing.
-    return depth > 0 && nearDepth(thing.length * growth * nearest, 1, false, 0, shown.detail) > 0 ? depth : 0;
+    if (nearDepth({ ...leaf, scale: nearest, perspective: false }, count, shown.detail) === 0) return 0;
+    const seen = {
+      ...leaf,
+      length: leaf.length * matrixWorld.getMaxScaleOnAxis(),
+      scale: elements[5]! * pictureHeight * 0.5,
+      perspective: elements[15] !== 1,
+    };
+    return nearDepth(seen, count, shown.detail);
   }
 
   #drawNear(thing: LeafLike, depth: number, count: number, bundle: number, box: Box3): void {

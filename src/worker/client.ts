@@ -32,6 +32,9 @@ export interface GrowOptions extends GrowSettings {
   readonly signal?: AbortSignal;
 }
 
+/** Grows a tree without a worker, on the thread that asks. */
+export type GrowHere = (species: Species, seed: number, options: GrowOptions) => Promise<GrownTree>;
+
 interface Job {
   readonly species: Species;
   readonly seed: number;
@@ -50,6 +53,10 @@ interface Job {
 export class GrowClient {
   private readonly spawn: () => WorkerLike;
   private readonly patience: number;
+  private readonly here: GrowHere | null;
+  /** A worker has answered: one that fails later died of its tree, which this thread had better not try. */
+  private answered = false;
+  private forbidden = false;
   private hand: Hand<GrowService> | null = null;
   /** Loads while an unwanted run has its patience, so that the next tree need not wait for it. */
   private spare: Hand<GrowService> | null = null;
@@ -60,9 +67,11 @@ export class GrowClient {
   private startedAt = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(spawn: () => WorkerLike, patience = 150) {
+  /** `here`: grows where no worker may start, as where a page's policy, or another origin, forbids it; without it requests reject then. */
+  constructor(spawn: () => WorkerLike, patience = 150, here: GrowHere | null = null) {
     this.spawn = spawn;
     this.patience = patience;
+    this.here = here;
   }
 
   /** Starts the worker before it is needed. */
@@ -152,8 +161,16 @@ export class GrowClient {
     if (hand) letGo(hand);
   }
 
-  private start(): Hand<GrowService> {
-    return takeOn<GrowService>(this.spawn());
+  /** A worker, or null where none may start. */
+  private start(): Hand<GrowService> | null {
+    if (this.forbidden) return null;
+    try {
+      return takeOn<GrowService>(this.spawn());
+    } catch (error) {
+      if (!this.here) throw error;
+      this.forbidden = true;
+      return null;
+    }
   }
 
   private next(): void {
@@ -164,7 +181,24 @@ export class GrowClient {
     this.busy = true;
     this.startedAt = performance.now();
     this.hand ??= this.start();
-    void this.run(this.hand, job);
+    if (this.hand) void this.run(this.hand, job);
+    else void this.runHere(job);
+  }
+
+  private async runHere(job: Job): Promise<void> {
+    const { onProgress, ...options } = job.options;
+    const report = onProgress && ((p: GrowProgress) => this.running === job && onProgress(p));
+    try {
+      if (this.running === job && this.here)
+        job.keep(await this.here(job.species, job.seed, { ...options, ...(report ? { onProgress: report } : {}) }));
+    } catch (error) {
+      job.breakOff(error);
+    }
+    if (this.running !== job) return;
+    this.running = null;
+    this.busy = false;
+    this.stopTimer();
+    this.next();
   }
 
   private async run(hand: Hand<GrowService>, job: Job): Promise<void> {
@@ -175,7 +209,14 @@ export class GrowClient {
       const asked = hand.service.grow({ version: PROTOCOL_VERSION, species, seed, settings }, report);
       // A promise that was broken off meanwhile is settled: this then does nothing.
       job.keep(await Promise.race([asked, hand.failed]));
+      this.answered = true;
     } catch (error) {
+      if (error instanceof WorkerFailed && this.here && !this.answered) {
+        this.forbidden = true;
+        if (this.hand === hand) this.hand = null;
+        this.end(hand);
+        return this.runHere(job);
+      }
       job.breakOff(error);
       if (this.hand === hand && error instanceof WorkerFailed) this.dismiss();
     }
@@ -190,9 +231,9 @@ export class GrowClient {
 
 let shared: GrowClient | undefined;
 
-/** A client with a worker of its own, for trees beside the page's. */
-export const newGrowClient = (): GrowClient =>
-  new GrowClient(() => new Worker(new URL('./grow.worker.ts', import.meta.url), { type: 'module' }));
+/** A client with a worker of its own, for trees beside the page's. `here` as `GrowClient` takes it. */
+export const newGrowClient = (here: GrowHere | null = null): GrowClient =>
+  new GrowClient(() => new Worker(new URL('./grow.worker.ts', import.meta.url), { type: 'module' }), undefined, here);
 
 /** The page's own client: one worker, made when it is first used. */
 export function growClient(): GrowClient {

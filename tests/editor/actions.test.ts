@@ -3,6 +3,7 @@ import { decodeLink, encodeLink, OWN_WIND, roundWind } from '../../src/core/link
 import { WAVE_NUMBERS } from '../../src/core/link/numbers.ts';
 import { windStateAt } from '../../src/core/wind/fade.ts';
 import { windForce } from '../../src/core/wind/force.ts';
+import { loopWind } from '../../src/core/wind/loop.ts';
 import { MOST_GUSTS, MOST_WAVES } from '../../src/core/wind/wind.ts';
 import { windText } from '../../src/core/wind/wind-file.ts';
 import { type Actions, createActions } from '../../src/editor/actions.ts';
@@ -65,7 +66,7 @@ describe('actions', () => {
     actions.setWaveSolo(4, true);
     actions.startCompare('split');
     actions.setPreset('gale');
-    actions.loopEvery(7);
+    actions.loopEvery(7, loopWind);
     actions.setCompareAt(0.12345);
     actions.setOverlays({ arrows: true, handle: false });
     actions.setProbe(17);
@@ -185,7 +186,7 @@ describe('actions', () => {
   });
 
   it('make the wind come around', () => {
-    const { open } = actions.loopEvery(6);
+    const { open } = actions.loopEvery(6, loopWind);
     expect(open).toEqual([]);
     const { wind } = document.getState();
     const at = (time: number) => windForce(windStateAt(wind, time), 1, 2, 3);

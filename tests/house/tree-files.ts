@@ -5,7 +5,16 @@ import { join, relative, resolve, sep } from 'node:path';
 export const root = resolve(import.meta.dirname, '../..');
 
 /** Folders that no commit holds: what tools and tests leave behind. */
-const leftovers = new Set(['node_modules', '.git', 'dist', 'dist-cli', 'test-results', 'playwright-report', 'tmp']);
+const leftovers = new Set([
+  'node_modules',
+  '.git',
+  'dist',
+  'dist-cli',
+  'dist-lib',
+  'test-results',
+  'playwright-report',
+  'tmp',
+]);
 
 /** Paths of all files under a folder of the repository ('.' for all of it), with '/' between names, sorted. */
 export function filesUnder(folder: string): string[] {

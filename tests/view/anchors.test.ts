@@ -1,4 +1,5 @@
-import { ShaderLib } from 'three';
+import { createRequire } from 'node:module';
+import * as newest from 'three';
 import { describe, expect, it } from 'vitest';
 import { BRANCH_DEPTH, BRANCH_STANDARD } from '../../src/view/branch-shader.ts';
 import { GROUND_INJECTION } from '../../src/view/ground.ts';
@@ -7,7 +8,7 @@ import { LEAF_DEPTH, LEAF_STANDARD } from '../../src/view/leaf-shader.ts';
 import { GRASS_INJECTION } from '../../src/view/meadow.ts';
 
 // The deformer lives in three's own shaders, at lines that three is free to move: this test says so the day it does.
-const CASES: readonly [string, keyof typeof ShaderLib, Injection][] = [
+const CASES: readonly [string, keyof typeof newest.ShaderLib, Injection][] = [
   ['branches in the standard material', 'standard', BRANCH_STANDARD],
   ['branches in the physical material', 'physical', BRANCH_STANDARD],
   ['branches in the depth material', 'depth', BRANCH_DEPTH],
@@ -19,9 +20,18 @@ const CASES: readonly [string, keyof typeof ShaderLib, Injection][] = [
   ['the grass', 'lambert', GRASS_INJECTION],
 ];
 
-describe('anchors in the installed three', () => {
+const oldest = createRequire(import.meta.url)('three-oldest') as typeof newest;
+/** What three called a shader before r182. */
+const FORMER: Readonly<Record<string, string>> = { distance: 'distanceRGBA' };
+
+const VERSIONS = [
+  ['newest', newest],
+  ['oldest', oldest],
+] as const;
+
+describe.each(VERSIONS)('anchors in the %s three that is supported', (_, { ShaderLib }) => {
   it.each(CASES)('%s', (_, name, { vertex, fragment }) => {
-    const shader = ShaderLib[name];
+    const shader = ShaderLib[name] ?? (ShaderLib as Record<string, newest.ShaderLibShader>)[FORMER[name] ?? name]!;
     const made = { vertex: patched(shader.vertexShader, vertex), fragment: patched(shader.fragmentShader, fragment) };
     for (const { after, before, instead } of vertex) {
       for (const text of [after, before, instead]) if (text) expect(made.vertex).toContain(text);
@@ -29,10 +39,20 @@ describe('anchors in the installed three', () => {
     for (const { after } of fragment) if (after) expect(made.fragment).toContain(after);
   });
 
-  it('finds the equation of direct light that the leaves wrap', () => {
+  it('has the equation of direct light that the leaves wrap', () => {
     const chunk = ShaderLib.standard.fragmentShader;
     expect(chunk).toContain('#include <lights_physical_pars_fragment>');
     expect(LEAF_STANDARD.fragment.some(({ after }) => after?.includes('RE_Direct_Physical'))).toBe(true);
+  });
+});
+
+describe('anchors', () => {
+  it('are two versions, the oldest being the least that the package asks for', () => {
+    const { peerDependencies } = createRequire(import.meta.url)(
+      '../../package.json',
+    ) as typeof import('../../package.json');
+    expect(peerDependencies.three).toBe(`>=0.${oldest.REVISION} <1`);
+    expect(Number(newest.REVISION)).toBeGreaterThan(Number(oldest.REVISION));
   });
 
   it('names an anchor that is missing', () => {

@@ -38,14 +38,15 @@ describe('leaf budget', () => {
     expect(leafGrain(4, 1000, cost, 'high')).toBe('middle');
   });
 
-  it('draws those finest that are 42 pixels long or longer, unless looking for them takes too long', () => {
-    // A blade of 0.1 m at 700 pixels a metre at depth 1.
-    const depth = nearDepth(0.1, 700, true, 1000, 'auto');
+  it('draws those finest whose triangles cover some pixels, unless looking for them takes too long', () => {
+    const leaf = { length: 0.1, triangles: 33, scale: 700, perspective: true };
+    const depth = nearDepth(leaf, 100, 'auto');
     expect((0.1 * 700) / depth).toBeCloseTo(42, 9);
-    expect(nearDepth(0.1, 700, true, 1000, 'high')).toBeCloseTo(4 * depth, 9);
-    expect(nearDepth(0.1, 700, true, 2_000_000, 'auto')).toBe(0);
+    expect(nearDepth({ ...leaf, triangles: 4 * 33 }, 100, 'auto')).toBeCloseTo(depth / 2, 9);
+    expect(nearDepth(leaf, 100, 'high')).toBeCloseTo(4 * depth, 9);
+    expect(nearDepth(leaf, 30_000, 'auto')).toBe(0);
     // Without perspective all are or none is.
-    expect(nearDepth(0.1, 421, false, 1000, 'auto')).toBe(Number.POSITIVE_INFINITY);
-    expect(nearDepth(0.1, 419, false, 1000, 'auto')).toBe(0);
+    expect(nearDepth({ ...leaf, scale: 421, perspective: false }, 100, 'auto')).toBe(Number.POSITIVE_INFINITY);
+    expect(nearDepth({ ...leaf, scale: 419, perspective: false }, 100, 'auto')).toBe(0);
   });
 });

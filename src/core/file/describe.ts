@@ -3,12 +3,14 @@ import type { Parameter, ParameterTable } from './parameter.ts';
 
 const cell = (text: string): string => text.replaceAll('|', '\\|');
 
-function value(p: Parameter): string {
+/** What a parameter is where a file leaves it out; '' where that is nothing. */
+export function defaultText(p: Parameter): string {
   if (p.default === undefined) return '';
   return Array.isArray(p.default) ? p.default.join(', ') : String(p.default);
 }
 
-function notes(p: Parameter): string {
+/** What a parameter means, in sentences. */
+export function meaningOf(p: Parameter): string {
   const parts = [p.help];
   if (p.kind === 'number' && p.negative) parts.push(p.negative);
   if (p.kind === 'number' && p.orNull) parts.push(`null: ${p.orNull}.`);
@@ -21,7 +23,14 @@ function notes(p: Parameter): string {
 /** A chapter of a page of docs: a part of a file, and a table of its parameters. A default stands where a file may leave one out. */
 export function describeTable({ group, title, help, parameters }: ParameterTable): string[] {
   const rows = parameters.map((p) => {
-    const cells = [`\`${p.key}\``, p.symbol, p.section, allowedValues(p), p.optional ? value(p) : '', notes(p)];
+    const cells = [
+      `\`${p.key}\``,
+      p.symbol,
+      p.section,
+      allowedValues(p),
+      p.optional ? defaultText(p) : '',
+      meaningOf(p),
+    ];
     return `| ${cells.map(cell).join(' | ')} |`;
   });
   return [

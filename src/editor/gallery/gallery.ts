@@ -81,7 +81,7 @@ class Gallery extends Part {
     } catch (error) {
       this.paged = false;
       const reason = error instanceof Error ? error.message : String(error);
-      this.editor.actions.notify('error', galleryWords.page.failed(reason));
+      this.editor.actions.notify('error', galleryWords.failed(reason));
     }
   }
 
@@ -92,7 +92,8 @@ class Gallery extends Part {
     const found = findSpecies(species, this.query, this.kind);
     const tabbed = found.some(({ id }) => id === this.at) ? this.at : (found[0]?.id ?? null);
     const now = this.doc.ownSpecies === null ? this.doc.species : null;
-    return html`<p class="gallery-intro soft">${Live.wanted() ? (matchMedia('(hover: none)').matches ? words.introTouch : words.intro) : words.introStill}</p>
+    return html`<p class="gallery-intro soft">${Live.wanted() ? (matchMedia('(hover: none)').matches ? words.introTouch : words.intro) : words.introStill}
+        <a href="forest.html">${words.forest}</a> <a href="learn/index.html">${words.lessons}</a></p>
       ${galleryFilters({
         query: this.query,
         kind: this.kind,

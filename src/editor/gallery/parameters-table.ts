@@ -3,12 +3,11 @@ import { PLACES, valueAt } from '../../core/species/edits.ts';
 import type { Species } from '../../core/species/species.ts';
 import { pathsOfSection, SECTIONS } from '../ui/tree/sections.ts';
 import { valueText } from '../ui/tree/value-text.ts';
-import { galleryWords } from '../words/gallery.ts';
+import { speciesPageWords as words } from '../words/species-page.ts';
 import { treeWords } from '../words/tree.ts';
 
 /** All numbers of a species, section by section, to be read; what the species says nothing of is left out. */
 export function parametersTable(species: Species): TemplateResult {
-  const words = galleryWords.page;
   return html`<p class="soft">${words.parametersHint}</p>${SECTIONS.map((section) => {
     const rows = pathsOfSection(section).flatMap((path) => {
       const value = valueAt(species, path);

@@ -1,15 +1,14 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Species } from '../../core/species/species.ts';
-import { galleryWords } from '../words/gallery.ts';
+import { speciesPageWords as words } from '../words/species-page.ts';
 
 /** What is measured on grown trees of a species, and who says so. */
 export function speciesFacts({ facts, source }: Species): TemplateResult {
-  const words = galleryWords.page;
   const rows: readonly (readonly [string, string])[] = [
     ...(facts
       ? ([
           [words.kind, words.oneOf[facts.kind]],
-          [words.heightOf, galleryWords.height(facts.height)],
+          [words.heightOf, words.height(facts.height)],
           [words.spread, words.spreadOf(facts.spread)],
           [words.clear, words.clearOf(facts.clear)],
           [words.range, facts.range],

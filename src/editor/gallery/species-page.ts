@@ -8,6 +8,7 @@ import { loadSpecies } from '../species-source.ts';
 import { icon } from '../ui/icons.ts';
 import { Part } from '../ui/panel.ts';
 import { galleryWords } from '../words/gallery.ts';
+import { speciesPageWords as words } from '../words/species-page.ts';
 import type { Live } from './live.ts';
 import { parametersTable } from './parameters-table.ts';
 import { portrait } from './species-card.ts';
@@ -55,14 +56,13 @@ class SpeciesPage extends Part {
 
   protected override render(): TemplateResult {
     const { entry, season, live, species } = this;
-    const words = galleryWords.page;
     const shown = differs(entry, season) ? season : 'summer';
     return html`<article class="species-sheet" @keydown=${this.onKey}>
       <nav class="species-turn">
         <button type="button" class="quiet" @click=${this.back}>${icon('undo')}<span>${words.back}</span></button>
         <span><button type="button" class="round" aria-label=${words.previous} title=${words.previous} @click=${() => this.turn(-1)}>${icon('up')}</button>
           <button type="button" class="round" aria-label=${words.next} title=${words.next} @click=${() => this.turn(1)}>${icon('down')}</button></span></nav>
-      <figure class="species-portrait"><div class="species-plate" role="img" aria-label=${galleryWords.portrait(entry.name)}>${portrait(entry, shown, 'eager', '560px')}${live.shows(entry.id) ? html`<canvas class="glimpse" aria-hidden="true"></canvas>` : nothing}</div>
+      <figure class="species-portrait"><div class="species-plate" role="img" aria-label=${words.portrait(entry.name)}>${portrait(entry, shown, 'eager', '560px')}${live.shows(entry.id) ? html`<canvas class="glimpse" aria-hidden="true"></canvas>` : nothing}</div>
         ${this.seasons(shown)}</figure>
       <div class="species-text"><h3>${entry.name}</h3><p class="species-latin"><i lang="la">${entry.latin}</i></p>
         <div class="species-deeds">
@@ -75,7 +75,7 @@ class SpeciesPage extends Part {
             ? html`<p>${this.told.title}</p>${this.told.snippet === null ? nothing : html`<textarea readonly rows="4" aria-label=${words.embed} .value=${this.told.snippet}></textarea>`}`
             : nothing
         }</div>
-        ${species ? this.content(species) : html`<p class="soft" role=${this.failed === null ? nothing : 'alert'}>${this.failed === null ? words.loading : words.failed(this.failed)}</p>`}
+        ${species ? this.content(species) : html`<p class="soft" role=${this.failed === null ? nothing : 'alert'}>${this.failed === null ? words.loading : galleryWords.failed(this.failed)}</p>`}
       </div></article>`;
   }
 
@@ -93,7 +93,6 @@ class SpeciesPage extends Part {
   private seasons(shown: Season): TemplateResult | typeof nothing {
     const { entry } = this;
     if (!entry.seasons?.length) return nothing;
-    const words = galleryWords.page;
     return html`<div class="species-seasons" role="group" aria-label=${words.seasons}>${SEASONS.filter(
       (season) => season === 'summer' || differs(entry, season),
     ).map(
@@ -103,7 +102,6 @@ class SpeciesPage extends Part {
   }
 
   private content(species: Species): TemplateResult {
-    const words = galleryWords.page;
     return html`${species.description ? html`<p class="species-says">${species.description}</p>` : nothing}
       ${speciesFacts(species)}
       <details class="species-numbers" @toggle=${(e: Event) => {
@@ -135,7 +133,6 @@ class SpeciesPage extends Part {
     const { entry } = this;
     const snippet = await this.editor.actions.copySpeciesEmbed(entry, season);
     if (entry !== this.entry) return;
-    const words = galleryWords.page;
     this.told = { title: snippet === null ? words.copied : words.shown, snippet };
     this.requestUpdate();
   }

@@ -2,7 +2,6 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { frameWords } from '../words/frame.ts';
 import './compare-layer.ts';
 import './dialogs.ts';
-import './embed.ts';
 import './notices.ts';
 import './sheet.ts';
 import './top-bar.ts';
@@ -22,7 +21,9 @@ class App extends Part {
   override connectedCallback(): void {
     super.connectedCallback();
     window.addEventListener('resize', this.onResize);
-    if (!this.session.embed) loadPanels(this.editor);
+    // Only links from the time when the editor itself stood in frames ask for it.
+    if (this.session.embed) void import('./embed.ts').then(() => this.requestUpdate());
+    else loadPanels(this.editor);
   }
 
   override disconnectedCallback(): void {
@@ -33,7 +34,7 @@ class App extends Part {
   protected override render(): TemplateResult {
     const { editor } = this;
     if (this.session.embed)
-      return html`<wg-compare .editor=${editor}></wg-compare>${this.messages()}<wg-embed .editor=${editor}></wg-embed>`;
+      return html`<wg-compare .editor=${editor}></wg-compare>${this.messages()}${customElements.get('wg-embed') ? html`<wg-embed .editor=${editor}></wg-embed>` : nothing}`;
     return html`<wg-compare .editor=${editor}></wg-compare>
       <header class="top"><wg-top .editor=${editor}></wg-top></header>
       ${this.session.narrow ? html`<wg-sheet .editor=${editor}></wg-sheet>` : this.wide()}

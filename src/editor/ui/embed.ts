@@ -1,5 +1,5 @@
 import { html, type TemplateResult } from 'lit';
-import { embedWords } from '../words/frame.ts';
+import { embedWords } from '../words/embed.ts';
 import { icon } from './icons.ts';
 import { Part } from './panel.ts';
 

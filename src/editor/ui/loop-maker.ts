@@ -1,5 +1,5 @@
 import { html, type TemplateResult } from 'lit';
-import { type LoopedWind, loopPeriod } from '../../core/wind/loop.ts';
+import { type LoopedWind, loopPeriod, loopWind } from '../../core/wind/loop.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import { loopWords } from '../words/time.ts';
 import { icon } from './icons.ts';
@@ -50,7 +50,7 @@ class LoopMaker extends Part {
   private make(event: Event): void {
     event.preventDefault();
     const { actions } = this.editor;
-    const looped = actions.loopEvery(this.seconds);
+    const looped = actions.loopEvery(this.seconds, loopWind);
     this.made = { wind: actions.edited().wind, looped };
     this.requestUpdate();
   }

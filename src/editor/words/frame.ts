@@ -22,11 +22,3 @@ export const frameWords = {
   panelsFailed: 'The panels could not be loaded; reload the page to try again',
   drop: 'Let go to open it: a tree, a species, a wind, a measured wind',
 } as const;
-
-/** What a page says that shows only the picture, in a frame of another page. */
-export const embedWords = {
-  play: 'Play',
-  pause: 'Pause',
-  made: 'Windgrove',
-  open: 'Open this tree in Windgrove',
-} as const;

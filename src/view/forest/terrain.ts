@@ -24,6 +24,7 @@ import type { HeightField } from '../../core/forest/height-field.ts';
 import type { ForceField } from '../force-field.ts';
 import type { Ground } from '../ground.ts';
 import { inject } from '../inject.ts';
+import { SHADOW_MAP } from '../shadow-map.ts';
 import type { StageLook } from '../stage-look.ts';
 import { type TerrainMaps, terrainMaps } from './terrain-maps.ts';
 import { terrainPatch } from './terrain-patch.ts';
@@ -45,7 +46,7 @@ vLaid = 1.0 - exp(-6.0 * length(fieldForce(transformed.xy)));`,
   ],
   fragment: [
     { anchor: '#include <common>', after: `${look}\nin float vLaid;` },
-    { anchor: '#include <shadowmap_pars_fragment>', after: `${shadow}\n${groundNormal}` },
+    { anchor: '#include <shadowmap_pars_fragment>', after: `${SHADOW_MAP}\n${shadow}\n${groundNormal}` },
     {
       anchor: '#include <map_fragment>',
       after: 'diffuseColor.rgb *= terrainDiffuse(); diffuseColor.rgb *= 1.0 + 0.22 * vLaid * terrainLight.y;',

@@ -1,0 +1,84 @@
+import { faultText } from '../core/file/fault.ts';
+import { type ExportOptions, readExportOptions } from '../core/io/export-options.ts';
+import type { CameraPose } from '../core/link/document.ts';
+import { inSeason, type Season } from '../core/species/season.ts';
+import type { Species } from '../core/species/species.ts';
+import type { Wind } from '../core/wind/wind.ts';
+import { openCapture } from '../view/picture/capture.ts';
+import { exportInWorker } from '../view/picture/export-in-worker.ts';
+import type { GrownTree } from '../worker/client.ts';
+import { type ElementEnvironment, STAGE_OF } from './attributes.ts';
+
+/** What an element shows. */
+export interface Shown {
+  readonly grown: GrownTree;
+  readonly species: Species;
+  readonly wind: Wind;
+  readonly season: Season;
+  readonly seed: number;
+}
+
+/** How a picture of it is taken. */
+export interface TakenPicture {
+  /** Pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** Media type, `image/png` by default. */
+  readonly type?: string;
+  /** Of lossy types, 0..1. */
+  readonly quality?: number;
+  /** Seconds. */
+  readonly time: number;
+  readonly camera: CameraPose;
+  /** Width over height of what is on the screen: as much of it is in the picture. */
+  readonly aspect: number;
+  readonly environment: ElementEnvironment;
+  readonly dark: boolean;
+}
+
+/** A picture at a size of its own, on a stage of its own: what is on the screen stays as it is. Rejects where the browser cannot. */
+export async function takePicture(shown: Shown, picture: TakenPicture): Promise<Blob> {
+  const { grown, species, wind, season } = shown;
+  const { width, height, type = 'image/png', quality, time, camera, aspect, environment, dark } = picture;
+  const capture = openCapture(
+    {
+      packed: grown.packed,
+      stems: grown.stems,
+      species: inSeason(species, season),
+      wind,
+      show: { levelsShown: Number.POSITIVE_INFINITY, showLeaves: true, view: 'shaded' },
+      dark,
+      channel: null,
+      scene: { stage: STAGE_OF[environment], hour: null },
+    },
+    { pose: camera, high: 1, wide: aspect },
+    { width, height, transparent: environment === 'none' },
+  );
+  try {
+    await capture.draw(time);
+    const { canvas } = capture;
+    if (!(canvas instanceof HTMLCanvasElement)) return await canvas.convertToBlob({ type, quality });
+    return await new Promise((done, fail) =>
+      canvas.toBlob(
+        (blob) => (blob ? done(blob) : fail(new Error(`The browser could not write the picture as ${type}.`))),
+        type,
+        quality,
+      ),
+    );
+  } finally {
+    capture.close();
+  }
+}
+
+/** The tree as a GLB file. Throws RangeError where an option is none, and rejects as the export does. */
+export async function writeGlb(
+  { species, seed, wind, season }: Shown,
+  given: Partial<ExportOptions>,
+  signal?: AbortSignal,
+): Promise<Blob> {
+  const { options, faults } = readExportOptions({ season, ...given, format: 'glb' });
+  if (faults) throw new RangeError(faults.map(faultText).join(' '));
+  const [file] = await exportInWorker(species, seed, wind, options, signal ? { signal } : {});
+  if (!file) throw new Error('The export gave no file.');
+  return new Blob([file.bytes], { type: file.type });
+}

@@ -1,0 +1,33 @@
+import type { CameraPose } from '../core/link/document.ts';
+import { CAMERA_NUMBERS } from '../core/link/numbers.ts';
+import { ATTRIBUTES, type AttributeName } from './attributes.ts';
+
+/** What `getState` gives and `setState` takes: plain JSON. Properties as the element has them; physical ones as in attributes. */
+export interface ElementState {
+  readonly [property: string]: unknown;
+  /** Seconds. */
+  readonly time?: number;
+  readonly paused?: boolean;
+  /** null: as `cameraOrbit` says. */
+  readonly camera?: CameraPose | null;
+}
+
+/** Names of attributes by property; `time` is the clock's. */
+export const STATE_ATTRIBUTES: readonly AttributeName[] = (Object.keys(ATTRIBUTES) as AttributeName[]).filter(
+  (name) => name !== 'time',
+);
+
+/** A camera of a state from outside, or undefined where it is none. */
+export function cameraOf(value: unknown): CameraPose | undefined {
+  if (typeof value !== 'object' || value === null) return undefined;
+  const { azimuth, elevation, distance, target } = value as Record<string, unknown>;
+  if (!Array.isArray(target) || target.length !== 3) return undefined;
+  const numbers = [azimuth, elevation, distance, ...target];
+  const fits = numbers.every((number, i) => {
+    const rule = CAMERA_NUMBERS[i]!;
+    return typeof number === 'number' && number >= rule.min && number <= rule.max;
+  });
+  if (!fits) return undefined;
+  const [a, e, d, x, y, z] = numbers as [number, number, number, number, number, number];
+  return { azimuth: a, elevation: e, distance: d, target: [x, y, z] };
+}

@@ -1,0 +1,516 @@
+import type { PropertyValues, TemplateResult } from 'lit';
+import { property } from 'lit/decorators.js';
+import type { ExportOptions } from '../core/io/export-options.ts';
+import { STILL, type Wind } from '../core/wind/wind.ts';
+import type { WindTree } from '../view/wind-tree.ts';
+import { attributeProperty } from './attribute-property.ts';
+import { ATTRIBUTES, attributeFault, readProperty } from './attributes.ts';
+import { isDark, watchScheme } from './colour-scheme.ts';
+import type { Drawing } from './drawing.ts';
+import type { ErrorType, WindTreeEventDetails } from './element-events.ts';
+import { cameraOf, type ElementState, STATE_ATTRIBUTES } from './element-state.ts';
+import { elementStyles } from './element-styles.ts';
+import { elementTemplate } from './element-template.ts';
+import { distanceToMiddle, type Nearness, watchNearness } from './near.ts';
+import { listenToOrbit } from './orbit-input.ts';
+import { fetchedFrom, type ShippedSource } from './shipped-source.ts';
+import { type Planted, TreeLoader } from './tree-loader.ts';
+import { TreePlayer } from './tree-player.ts';
+import type { DrawnQuality } from './tree-view.ts';
+import { WindTreeProperties } from './wind-tree-properties.ts';
+import { elementWords } from './words.ts';
+
+export type { WindTreeEventDetails } from './element-events.ts';
+export type { ElementState } from './element-state.ts';
+
+/** Seconds in which one wind goes over into the next. */
+const FADE = 1;
+
+/** What changes the tree, the wind, and how it is looked at. */
+const OF_TREE: readonly PropertyKey[] = ['species', 'src', 'seed', 'speciesData'];
+const OF_WIND: readonly PropertyKey[] = ['wind', 'windData'];
+const ON_WIND: readonly PropertyKey[] = ['windSpeed', 'windDirection', 'gust', 'model'];
+const OF_LOOK: readonly PropertyKey[] = [
+  'detail',
+  'environment',
+  'ground',
+  'shadow',
+  'season',
+  'maxPixelRatio',
+  'debug',
+];
+
+const AWAY: Nearness = { visible: false, near: false, far: false };
+
+/** What the element is at. */
+type Stage = WindTreeEventDetails['statechange']['state'];
+
+/**
+ * A tree in the wind.
+ *
+ * @tag wind-tree
+ *
+ * @slot - Notes over the picture.
+ * @slot poster - What stands until the tree does.
+ * @slot progress - What tells how far it is, in place of the bar.
+ * @slot controls - Controls in place of the button that holds the wind still; such a one must be among them.
+ * @slot fallback - What is shown where the browser has no WebGL2.
+ *
+ * @csspart canvas - The picture.
+ * @csspart poster - What stands before it.
+ * @csspart progress - The bar that tells how far the tree is.
+ * @csspart controls - The place of the controls.
+ * @csspart button - The button of the controls, and that of the poster.
+ * @csspart message - What is said where something is wrong.
+ * @csspart status - What only screen readers are told.
+ *
+ * @cssproperty [--wind-tree-background=transparent] - Behind the picture; seen where `environment` is `none`.
+ * @cssproperty [--wind-tree-poster-color] - Behind the poster; by default a shade of the page's own.
+ * @cssproperty [--wind-tree-focus-ring=Highlight] - Colour of the ring around what has the focus.
+ * @cssproperty [--wind-tree-progress-color=#1a7f37] - Colour of the bar of progress.
+ *
+ * @cssstate loading - A tree is on its way.
+ * @cssstate ready - The tree is seen.
+ * @cssstate paused - Time stands still.
+ * @cssstate error - There is no tree, and the event `error` said why.
+ *
+ * @fires {CustomEvent<{species: string, seed: number, triangles: number}>} load - A tree is drawn for the first time.
+ * @fires {CustomEvent<{type: string, message: string}>} error - Something is wrong; `type` is fetch, species, wind, grow, capability, contextlost or attribute.
+ * @fires {CustomEvent<{phase: string, progress: number}>} progress - It has come so far, 0 to 1.
+ * @fires {CustomEvent<{time: number}>} timeupdate - Time has gone on, four times a second, or was set.
+ * @fires {CustomEvent<{level: string, scale: number}>} quality-change - It is drawn more coarsely, since it was too slow, or finely again.
+ * @fires {CustomEvent<{azimuth: number, elevation: number, distance: number, target: number[], source: string}>} camera-change - The camera moved; `source` is user or script.
+ * @fires {CustomEvent<{visible: boolean}>} visibility - It came into the window, or left it.
+ * @fires {CustomEvent<{state: string, paused: boolean}>} statechange - It is loading, ready or in error, or was paused or played.
+ */
+export class WindTreeElement extends WindTreeProperties {
+  static override styles = elementStyles;
+
+  /** Where species and winds that are named come from, for all elements of the page; by default `species/` and `winds/` beside the document. */
+  static shipped: ShippedSource = fetchedFrom('.');
+
+  readonly #internals = this.attachInternals();
+  readonly #size = new ResizeObserver(() => this.#player.resize(this.clientWidth, this.clientHeight));
+  readonly #player: TreePlayer = this.#newPlayer();
+  readonly #loader: TreeLoader = this.#newLoader();
+  #drawing: Drawing | null = null;
+  #nearness = AWAY;
+  #unwatch: (() => void)[] = [];
+  /** The wind as the attributes have it. */
+  #blows: Wind = STILL;
+  #wantsTree = true;
+  #drawn = false;
+  #poster = true;
+  #dismissed = false;
+  #stage: Stage = 'idle';
+  #message = '';
+  #unable = false;
+  #said = '';
+  #progress = 0;
+  /** The page has said whether time is to run. */
+  #asked = false;
+
+  /** Time of the wind in seconds; setting it goes there. The attribute, `3s`, makes a still of it unless `autoplay` is there too. */
+  @property(attributeProperty('time'))
+  get time(): number {
+    return this.#player.clock.time;
+  }
+
+  set time(time: number) {
+    const read = readProperty('time', time);
+    if (read === undefined) this.#fault('attribute', attributeFault('time', time));
+    else if (read !== null) this.seek(read as number);
+  }
+
+  /** A tree is drawn. */
+  get loaded(): boolean {
+    return this.#drawn;
+  }
+
+  /** Some of it is in the window. */
+  get visible(): boolean {
+    return this.#nearness.visible;
+  }
+
+  /** What the last picture was made of, and what is on the GPU for all elements of the page. */
+  get stats(): {
+    triangles: number;
+    drawCalls: number;
+    quality: DrawnQuality | null;
+    shared: Drawing['renderer']['info'];
+  } {
+    const { figures, view } = this.#player;
+    return { ...figures, quality: view?.quality ?? null, shared: this.#drawing?.renderer.info ?? null };
+  }
+
+  /** The view object that is drawn; null before there is one and while it is far from the window. */
+  get tree(): WindTree | null {
+    return this.#player.view?.tree ?? null;
+  }
+
+  /** Lets time run. */
+  play(): void {
+    this.#asked = true;
+    this.paused = false;
+  }
+
+  /** Holds time still. */
+  pause(): void {
+    this.#asked = true;
+    this.paused = true;
+  }
+
+  /** Goes to a time in seconds. */
+  seek(seconds: number): void {
+    this.#player.seek(seconds);
+  }
+
+  /** Goes some sixtieths of a second on, or back, and holds time still. */
+  step(steps = 1): void {
+    this.pause();
+    this.#player.step(steps);
+  }
+
+  /** Takes the poster away; a tree that is not there yet is waited for. */
+  dismissPoster(): void {
+    this.#dismissed = true;
+    if (this.#drawn) this.#poster = false;
+    this.#run();
+  }
+
+  /** Shows the poster again; time stands still behind it. */
+  showPoster(): void {
+    this.#dismissed = false;
+    this.#poster = true;
+    this.#run();
+  }
+
+  /**
+   * A picture of the tree as it is seen now, at any size in pixels and any time in seconds; by default those of the element. Rejects before
+   * there is a tree, and where the browser cannot.
+   */
+  async toBlob(
+    options: { width?: number; height?: number; type?: string; quality?: number; time?: number } = {},
+  ): Promise<Blob> {
+    const shown = this.#shown();
+    const { takePicture } = await import('./element-files.ts');
+    const { clientWidth, clientHeight, environment } = this;
+    return takePicture(shown, {
+      width: Math.max(1, clientWidth),
+      height: Math.max(1, clientHeight),
+      time: this.time,
+      ...options,
+      camera: this.#player.orbit.pose,
+      aspect: clientWidth / Math.max(1, clientHeight),
+      environment,
+      dark: isDark(this),
+    });
+  }
+
+  /** The tree as a GLB file, with the options of the export (`clip: true` writes the wind too). Rejects before there is a tree. */
+  async exportGLB(options: Partial<ExportOptions> = {}, signal?: AbortSignal): Promise<Blob> {
+    const shown = this.#shown();
+    const { writeGlb } = await import('./element-files.ts');
+    return writeGlb(shown, options, signal);
+  }
+
+  /** All that is seen as plain JSON: the properties of the attributes, time, and the camera where the reader moved it. */
+  getState(): ElementState {
+    const properties = STATE_ATTRIBUTES.map((name) => ATTRIBUTES[name].property);
+    const { alt, cameraControls, paused, time } = this;
+    return {
+      ...Object.fromEntries(properties.map((key) => [key, this[key as keyof this]])),
+      alt,
+      cameraControls,
+      paused,
+      time,
+      camera: this.#player.orbit.own,
+    };
+  }
+
+  /** Takes what `getState` gave, whole or in part; a value that may not be gives an `error` event, the others apply. */
+  setState(state: ElementState): void {
+    for (const name of STATE_ATTRIBUTES) {
+      const { property: key } = ATTRIBUTES[name];
+      if (key in state) (this as Record<string, unknown>)[key] = state[key];
+    }
+    if (typeof state.alt === 'string' || state.alt === null) this.alt = state.alt;
+    if (typeof state.cameraControls === 'boolean') this.cameraControls = state.cameraControls;
+    if (typeof state.time === 'number') this.time = state.time;
+    if (typeof state.paused === 'boolean') {
+      if (state.paused) this.pause();
+      else this.play();
+    }
+    const camera = cameraOf(state.camera);
+    // After the attribute of the same state, which would put the camera back.
+    if (camera) void this.updateComplete.then(() => this.#player.place(camera));
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#size.observe(this);
+    const motion = matchMedia('(prefers-reduced-motion: reduce)');
+    const less = (): void => {
+      if (motion.matches) this.pause();
+    };
+    motion.addEventListener('change', less);
+    this.#unwatch = [
+      watchNearness(this, (how) => this.#come(how)),
+      watchScheme(() => this.#relook()),
+      () => motion.removeEventListener('change', less),
+    ];
+    this.#wantsTree = true;
+    this.#loadIfNear();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#size.disconnect();
+    for (const stop of this.#unwatch.splice(0)) stop();
+    this.#loader.stop();
+    this.#player.close();
+    this.#drawn = false;
+    this.#nearness = AWAY;
+    this.#enter('idle');
+  }
+
+  protected override willUpdate(changed: PropertyValues): void {
+    for (const name of STATE_ATTRIBUTES) {
+      const { property: key, usual } = ATTRIBUTES[name];
+      if (!changed.has(key)) continue;
+      const own = this as Record<string, unknown>;
+      const value = readProperty(name, own[key]);
+      if (value === undefined) this.#fault('attribute', attributeFault(name, own[key]));
+      own[key] = value === undefined ? (changed.get(key) ?? usual) : value;
+    }
+    if (changed.has('playbackRate')) this.#player.clock.rate = this.playbackRate;
+    // A picture that can be turned is a group with the picture and its controls; another is the picture alone.
+    this.#internals.role = this.cameraControls ? 'group' : null;
+    this.#internals.ariaLabel = this.cameraControls ? this.#label || elementWords.alt(null, null) : null;
+  }
+
+  protected override firstUpdated(): void {
+    const enabled = (): boolean => this.cameraControls && this.#drawn && !this.#poster;
+    listenToOrbit(this.#canvas, enabled, this.#player);
+  }
+
+  protected override updated(changed: PropertyValues): void {
+    const any = (keys: readonly PropertyKey[]): boolean => keys.some((key) => changed.has(key));
+    if (changed.has('touchAction') || changed.has('cameraControls'))
+      this.#canvas.style.touchAction = this.cameraControls ? this.touchAction : 'auto';
+    if (any(OF_TREE)) this.#wantsTree = true;
+    // What follows asks for another rendering: after this one.
+    queueMicrotask(() => {
+      if (any(OF_TREE) || changed.has('loading')) this.#loadIfNear();
+      if (any(OF_WIND)) this.#loader.reloadWind();
+      else if (any(ON_WIND)) this.#blow();
+      if (any(OF_LOOK)) this.#relook();
+      if (changed.has('cameraOrbit')) this.#player.wishCamera(this.#drawn);
+      if (changed.has('paused')) this.#run();
+    });
+  }
+
+  protected override render(): TemplateResult {
+    return elementTemplate({
+      label: this.#label,
+      turns: this.cameraControls,
+      poster: this.#poster ? this.poster : null,
+      asks: this.reveal === 'interaction' && this.#poster && this.#drawn,
+      progress: this.#stage === 'loading' ? this.#progress : null,
+      unable: this.#unable,
+      message: this.#message,
+      status: this.#said,
+      controls: this.#drawn && !this.#poster,
+      paused: this.paused,
+      onToggle: () => this.#toggle(),
+      onPoster: () => {
+        if (this.reveal === 'interaction' && this.#drawn) this.dismissPoster();
+      },
+    });
+  }
+
+  get #canvas(): HTMLCanvasElement {
+    return this.renderRoot.querySelector('canvas') as HTMLCanvasElement;
+  }
+
+  get #label(): string {
+    return this.alt ?? elementWords.alt(this.#loader.planted?.species.name ?? null, this.#blows.name);
+  }
+
+  #newPlayer(): TreePlayer {
+    const element = this;
+    return new TreePlayer({
+      get cameraOrbit() {
+        return element.cameraOrbit;
+      },
+      tell: (name, detail) => this.#tell(name, detail),
+      seen: () => this.#seen(),
+      lost: (lost) => this.#lose(lost),
+      toggle: () => this.#toggle(),
+    });
+  }
+
+  #newLoader(): TreeLoader {
+    return new TreeLoader({
+      wishes: this,
+      get shipped() {
+        return WindTreeElement.shipped;
+      },
+      open: (signal) => this.#open(signal),
+      priority: () => (this.visible ? 0 : 1e6) + distanceToMiddle(this),
+      report: (phase, progress) => this.#report(phase, progress),
+      plant: (planted) => this.#plant(planted),
+      blow: () => this.#blow(),
+      failed: (type, message) => this.#fail(type, message),
+      windFailed: (type, message) => this.#fault(type, message),
+    });
+  }
+
+  #tell<Name extends keyof WindTreeEventDetails>(name: Name, detail: WindTreeEventDetails[Name]): void {
+    this.dispatchEvent(new CustomEvent(name, { detail }));
+  }
+
+  #fault(type: ErrorType, message: string): void {
+    const event = new CustomEvent('error', { detail: { type, message }, cancelable: true });
+    // A slip in the markup must not go unheard where nobody listens; who does can prevent it.
+    if (this.dispatchEvent(event)) console.warn(`<wind-tree>: ${message}`);
+  }
+
+  /** What is wrong with the tree itself is also seen. */
+  #fail(type: ErrorType, message: string): void {
+    const { failed } = elementWords;
+    this.#message = type in failed ? failed[type as keyof typeof failed] : failed.fetch;
+    this.#said = this.#message;
+    this.#unable = type === 'capability';
+    this.#fault(type, message);
+    this.#enter(this.#drawn ? 'ready' : 'error');
+  }
+
+  #enter(stage: Stage): void {
+    this.#stage = stage;
+    const { states } = this.#internals;
+    for (const name of ['loading', 'ready', 'error'] as const) {
+      if (name === stage) states.add(name);
+      else states.delete(name);
+    }
+    this.#tell('statechange', { state: stage, paused: this.paused });
+    this.requestUpdate();
+  }
+
+  #come(how: Nearness): void {
+    const { visible } = this.#nearness;
+    this.#nearness = how;
+    if (how.visible !== visible) {
+      this.#tell('visibility', { visible: how.visible });
+      this.#player.show(how.visible);
+    }
+    if (how.far) this.#player.view?.rest();
+    this.#loadIfNear();
+  }
+
+  #loadIfNear(): void {
+    if (!this.#wantsTree || !this.isConnected || !this.hasUpdated) return;
+    if (!this.#nearness.near && this.loading !== 'eager') return;
+    this.#wantsTree = false;
+    if (!this.species && !this.src && !this.speciesData) return;
+    this.#message = '';
+    this.#said = elementWords.status.loading;
+    this.#enter('loading');
+    void this.#loader.load();
+  }
+
+  /** Loads what draws, and opens a view on it; null where it cannot, or is no longer wanted. */
+  async #open(signal: AbortSignal): Promise<Drawing | null> {
+    const { default: drawing } = await import('./drawing.ts');
+    if (signal.aborted) return null;
+    this.#drawing = drawing;
+    try {
+      this.#player.open(drawing, this.#canvas);
+    } catch {
+      this.#loader.stop();
+      this.#fail('capability', elementWords.noWebGl);
+      return null;
+    }
+    this.#relook();
+    this.#blow();
+    this.#player.show(this.visible);
+    return drawing;
+  }
+
+  #plant(planted: Planted): void {
+    this.#report('draw', 0.97);
+    this.#player.plant(planted);
+  }
+
+  #blow(): void {
+    const { view } = this.#player;
+    if (!this.#drawing || !view) return;
+    const { windSpeed, windDirection, gust, model } = this;
+    this.#blows = this.#drawing.wind(this.#loader.wind, { windSpeed, windDirection, gust, model });
+    view.setWind(this.#blows, this.#runs ? FADE : 0);
+    this.requestUpdate();
+    this.#player.request();
+  }
+
+  #relook(): void {
+    const { detail, environment, ground, shadow, season, debug, maxPixelRatio } = this;
+    this.#player.setLook({ detail, environment, ground, shadow, season, debug, maxPixelRatio, dark: isDark(this) });
+  }
+
+  #report(phase: WindTreeEventDetails['progress']['phase'], progress: number): void {
+    this.#progress = progress;
+    this.#tell('progress', { phase, progress });
+    this.requestUpdate();
+  }
+
+  /** The first picture of a tree is there. */
+  #seen(): void {
+    const first = !this.#drawn;
+    this.#drawn = true;
+    const { species, seed } = this.#loader.planted as Planted;
+    const { triangles } = this.#player.figures;
+    if (first && !this.#asked) {
+      const still = this.hasAttribute('time') && !this.hasAttribute('autoplay');
+      const less = matchMedia('(prefers-reduced-motion: reduce)').matches;
+      if (!this.autoplay || still || less) this.paused = true;
+    }
+    if (this.#dismissed || (first && this.reveal === 'auto')) this.#poster = false;
+    this.#said = elementWords.status.ready(triangles);
+    this.#report('draw', 1);
+    this.#enter('ready');
+    this.#run();
+    this.#tell('load', { species: species.name, seed, triangles });
+  }
+
+  /** The reader sees the tree, and nobody holds it. */
+  get #runs(): boolean {
+    return !this.paused && this.#drawn && !this.#poster && !this.#player.lost;
+  }
+
+  /** Time runs or stands, as what has changed wants it. */
+  #run(): void {
+    const { states } = this.#internals;
+    if (this.paused) states.add('paused');
+    else states.delete('paused');
+    if (this.#player.run(this.#runs)) this.#tell('statechange', { state: this.#stage, paused: this.paused });
+    this.requestUpdate();
+  }
+
+  #toggle(): void {
+    if (this.paused) this.play();
+    else this.pause();
+    this.#said = this.paused ? elementWords.status.paused : elementWords.status.playing;
+  }
+
+  #lose(lost: boolean): void {
+    this.#said = lost ? elementWords.status.lost : elementWords.status.back;
+    if (lost) this.#fault('contextlost', elementWords.status.lost);
+    this.#run();
+  }
+
+  #shown() {
+    const { planted } = this.#loader;
+    if (!planted || !this.#drawn) throw new Error(elementWords.nothing);
+    return { ...planted, wind: this.#blows, season: this.season };
+  }
+}

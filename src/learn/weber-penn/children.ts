@@ -1,0 +1,117 @@
+import { downAngleAlong, shapeRatio } from '../../core/grow/stem-shape.ts';
+import type { Species } from '../../core/species/species.ts';
+import { type FigureHost, type FigureSpec, type FigureStage, numberOf, switchOf, type Values } from '../figure.ts';
+import { Plane, type Point } from '../plane.ts';
+import { type Changes, changedSpecies, editorLink } from './changed-species.ts';
+import { remembered } from './grown.ts';
+import { printedDown } from './printed.ts';
+import { declinationAt, sketchTree, stemsOf } from './sketch.ts';
+
+const TRUNK = 13;
+const BARE = 0.4;
+
+const changes = (values: Values): Changes => ({
+  tree: { baseSize: BARE, scale: TRUNK, scaleV: 0, levels: 2 },
+  levels: {
+    0: { curveV: 0 },
+    1: { downAngle: numberOf(values, 'down'), downAngleV: numberOf(values, 'along'), curve: 0, curveV: 0 },
+  },
+  leaves: { count: 0 },
+});
+
+class Children implements FigureStage {
+  readonly #host: FigureHost;
+  readonly #aspen: Species;
+  readonly #plane: Plane;
+  readonly #grow = remembered();
+
+  constructor(host: FigureHost, aspen: Species) {
+    this.#host = host;
+    this.#aspen = aspen;
+    this.#plane = new Plane(host);
+  }
+
+  draw(values: Values): Record<string, string> {
+    const c = this.#host.colours();
+    const p = this.#plane;
+    p.begin({ x: [-5, 12.5], y: [-0.4, 13.6], equal: true });
+    p.line([p.x[0], 0], [5, 0], { colour: c.line, width: 1 });
+    const tree = this.#grow(JSON.stringify(values), () => changedSpecies(this.#aspen, changes(values)), 1);
+    sketchTree(p, tree, { colours: c });
+    this.#graph(values, tree);
+    const main = stemsOf(tree, 1);
+    const mean = main.reduce((all, i) => all + declinationAt(tree, i), 0) / Math.max(1, main.length);
+    const angle = (height: number): string => this.#angle(values, height * TRUNK).toFixed(0);
+    return { mean: mean.toFixed(1), bottom: angle(BARE), top: angle(1), stems: String(main.length) };
+  }
+
+  /** Height across, beside the tree at the same heights: the angle at which a branch leaves. */
+  #graph(values: Values, tree: ReturnType<ReturnType<typeof remembered>>): void {
+    const c = this.#host.colours();
+    const p = this.#plane;
+    const at = (degrees: number): number => 6.6 + (degrees / 140) * 5.4;
+    for (const degrees of [0, 45, 90, 135]) {
+      p.line([at(degrees), BARE * TRUNK], [at(degrees), TRUNK], { colour: c.hairline, width: 1 });
+      p.text([at(degrees), BARE * TRUNK], `${degrees}°`, {
+        size: 12,
+        colour: c.soft,
+        align: 'center',
+        baseline: 'top',
+        shift: [0, 6],
+      });
+    }
+    p.text([at(70), BARE * TRUNK], 'down angle', {
+      size: 12,
+      colour: c.soft,
+      align: 'center',
+      baseline: 'top',
+      shift: [0, 24],
+    });
+    const heights = Array.from({ length: 41 }, (_, i) => TRUNK * (BARE + ((1 - BARE) * i) / 40));
+    const line = (f: (height: number) => number): Point[] => heights.map((z): Point => [at(f(z)), z]);
+    if (switchOf(values, 'printed')) {
+      const printed = (z: number): number =>
+        printedDown(
+          numberOf(values, 'down'),
+          numberOf(values, 'along'),
+          shapeRatio(0, (TRUNK - z) / (TRUNK * (1 - BARE))),
+        );
+      p.polyline(line(printed), { colour: c.wrong, width: 2, dash: [7, 5] });
+    }
+    p.polyline(
+      line((z) => this.#angle(values, z)),
+      { colour: c.answer, width: 2 },
+    );
+    for (const i of stemsOf(tree, 1))
+      p.dot([at(declinationAt(tree, i)), (tree.stems.parentZ[i] as number) * TRUNK], 3, { colour: c.level1 });
+  }
+
+  #angle(values: Values, z: number): number {
+    const [down, along] = [numberOf(values, 'down'), numberOf(values, 'along')];
+    return along < 0 ? downAngleAlong(down, along, TRUNK, z, BARE * TRUNK) : down;
+  }
+
+  text(values: Values): string {
+    return `Branches leave the trunk at ${this.#angle(values, BARE * TRUNK).toFixed(0)} degrees at the crown's base and at ${this.#angle(values, TRUNK).toFixed(0)} at the top.`;
+  }
+}
+
+/** 4.3: where and how children grow. */
+export const children = (aspen: Species): FigureSpec => ({
+  id: 'children',
+  title: 'Down angles along the trunk of the aspen',
+  aspect: 1.3,
+  controls: [
+    { id: 'down', label: '1DownAngle', unit: '°', min: 0, max: 120, step: 1, value: 60 },
+    { id: 'along', label: '1DownAngleV', unit: '°', min: -70, max: 70, step: 1, value: -50 },
+    { id: 'printed', label: 'Also the ± of the print', value: true },
+  ],
+  readouts: [
+    { id: 'stems', label: 'Branches' },
+    { id: 'bottom', label: 'Angle at the base of the crown', unit: '°' },
+    { id: 'top', label: 'Angle at the top', unit: '°' },
+    { id: 'mean', label: 'Mean of those grown', unit: '°' },
+  ],
+  open: (values) => editorLink('quaking-aspen', changes(values)),
+  stage: (host) => new Children(host, aspen),
+});

@@ -1,0 +1,139 @@
+import { MECHANICS, MECHANICS_SIZE, SWAY_LAYERS } from '../../core/pack/layout.ts';
+import { layerStart } from '../../core/pack/texel-array.ts';
+import { swayClock, swayRate, swaySwing, swayTexels, swayUniform } from '../../core/wind/sway.ts';
+import { STILL, type SwaySettings } from '../../core/wind/wind.ts';
+import { choiceOf, type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
+import { marginsOf } from '../panels.ts';
+import { smallTree } from '../ping-pong/small-tree.ts';
+import { Plane, type Point } from '../plane.ts';
+import { windLink } from '../wind-link.ts';
+import { longLimb } from './three.ts';
+
+/** Seconds of the path. */
+const PAST = 120;
+const RADIANS = Math.PI / 180;
+
+const settingsOf = (values: Values): SwaySettings => ({
+  speed: numberOf(values, 'speed'),
+  gust: numberOf(values, 'gust'),
+  reading: 'ratio',
+  rate: choiceOf(values, 'rate') === 'printed' ? 1 / 15 : STILL.sway.rate,
+});
+
+/** The swing of a limb of the small tree at a time, along its two axes: degrees at its tip. */
+export function limbSwing(settings: SwaySettings): (time: number) => Point {
+  const { packed } = smallTree();
+  const limb = longLimb(packed);
+  const texels = swayTexels(packed, settings);
+  const texel = (layer: number): number[] => {
+    const at = layerStart(texels, layer) + 4 * limb;
+    return Array.from(texels.data.subarray(at, at + 4));
+  };
+  const [gain, offset] = [texel(SWAY_LAYERS.GAIN), texel(SWAY_LAYERS.OFFSET)];
+  const uniform = swayUniform(settings, 1, new Float64Array(4));
+  const clock = new Float64Array(2);
+  const degrees = (gain[1] ?? 0) / RADIANS;
+  return (time) => {
+    const [x, y] = swaySwing(gain, offset, uniform, swayClock(time, clock));
+    return [x * degrees, y * degrees];
+  };
+}
+
+/** The farthest that the limb may swing along one axis, degrees. */
+function swayReachOf(settings: SwaySettings): number {
+  const { packed } = smallTree();
+  const texels = swayTexels(packed, settings);
+  const gain = texels.data[layerStart(texels, SWAY_LAYERS.GAIN) + 4 * longLimb(packed) + 1] ?? 0;
+  const [quick = 0, slow = 0] = swayUniform(settings, 1, new Float64Array(4));
+  return ((quick + slow) * gain) / RADIANS;
+}
+
+class Sway implements FigureStage {
+  readonly #host: FigureHost;
+  readonly #plane: Plane;
+  readonly #trace: Plane;
+
+  constructor(host: FigureHost) {
+    this.#host = host;
+    this.#plane = new Plane(host);
+    this.#trace = new Plane(host);
+  }
+
+  draw(values: Values, time: number): Record<string, string> {
+    const { size } = this.#host;
+    const { answer, wrong, line, soft, rest } = this.#host.colours();
+    const settings = settingsOf(values);
+    const printed = choiceOf(values, 'rate') === 'printed';
+    const colour = printed ? wrong : answer;
+    const swing = limbSwing(settings);
+    const steps = 1500;
+    const path = Array.from({ length: steps + 1 }, (_, i) => swing(time - PAST * (1 - i / steps)));
+    // As far as it could go with either rate.
+    const reach = Math.max(5, swayReachOf(settings));
+    const edge = 1.1 * reach;
+    const ring = reach > 40 ? 20 : reach > 15 ? 10 : 5;
+    const [left, right] = [{ x: [0, 0.45] }, { x: [0.45, 1] }] as const;
+    const plane = this.#plane;
+    plane.begin({ x: [-edge, edge], y: [-edge, edge], equal: true, margin: marginsOf(size, left) });
+    for (const radius of [ring, 2 * ring]) {
+      plane.circle([0, 0], radius, { colour: line, width: 1, alpha: 0.5 });
+      plane.text([0, radius], `${radius}°`, { size: 12, colour: soft, align: 'center', shift: [0, -3] });
+    }
+    plane.dot([0, 0], 3, { colour: rest });
+    for (let i = 1; i < path.length; i++) {
+      const [a, b] = [path[i - 1], path[i]];
+      if (a && b) plane.line(a, b, { colour, width: 1.8, alpha: 0.08 + 0.75 * (i / steps) ** 3 });
+    }
+    const now = path.at(-1);
+    if (now) plane.dot(now, 6, { colour });
+    const trace = this.#trace;
+    const span = 20;
+    trace.begin(
+      { x: [-span, 0], y: [-edge, edge], margin: marginsOf(size, right, { left: 48, bottom: 30, top: 16, right: 14 }) },
+      { keep: true },
+    );
+    trace.grid(5, ring);
+    trace.axes({ x: 'seconds ago', y: 'swing, degrees' }, 5, ring);
+    trace.graph((t) => swing(time + t)[0], { colour, width: 2.2 });
+    trace.graph((t) => swing(time + t)[1], { colour, width: 1.6, dash: [6, 4] });
+    const { mechanics } = smallTree().packed;
+    const at = MECHANICS_SIZE * longLimb(smallTree().packed);
+    const omega = swayRate(settings, mechanics[at + MECHANICS.RADIUS] ?? 0, mechanics[at + MECHANICS.LENGTH] ?? 1);
+    const far = path.reduce((most, [x, y]) => Math.max(most, Math.hypot(x - (now?.[0] ?? 0), y - (now?.[1] ?? 0))), 0);
+    return { period: ((2 * Math.PI) / omega).toFixed(omega > 0.05 ? 2 : 0), moved: far.toFixed(1) };
+  }
+
+  text(values: Values): string {
+    return choiceOf(values, 'rate') === 'printed'
+      ? 'With the printed rate the limb hardly moves within two minutes.'
+      : 'The tip of the limb runs along a Lissajous figure.';
+  }
+}
+
+/** The sway of 1995: a Lissajous figure, at the printed rate and at ours. */
+export const sway: FigureSpec = {
+  id: 'sway',
+  title: 'Two sines about two axes',
+  aspect: 1.75,
+  moves: true,
+  begin: PAST,
+  controls: [
+    {
+      id: 'rate',
+      label: 'Rate',
+      value: 'ours',
+      options: [
+        { value: 'ours', label: '67 r/L, ours' },
+        { value: 'printed', label: 'r/L / 15, as printed' },
+      ],
+    },
+    { id: 'speed', label: 'Wind speed s', min: 0, max: 10, step: 0.1, value: 2 },
+    { id: 'gust', label: 'Gust g', min: 0, max: 10, step: 0.1, value: 1 },
+  ],
+  readouts: [
+    { id: 'period', label: 'Period of the quick sine', unit: 's' },
+    { id: 'moved', label: 'Farthest way in two minutes', unit: '°' },
+  ],
+  open: (values) => windLink({ ...STILL, name: 'Sway', model: 'sway', sway: settingsOf(values) }),
+  stage: (host) => new Sway(host),
+};

@@ -1,0 +1,33 @@
+/** What the reference pages say besides what their tables say. */
+export const words = {
+  contents: 'On this page',
+  find: 'Find a parameter',
+  findHint: 'Name, symbol or meaning',
+  found: (shown: number, all: number): string =>
+    shown === all ? `${all} parameters` : `${shown} of ${all} parameters`,
+  anchor: (name: string): string => `Link to ${name}`,
+  inFile: 'In the file',
+  symbol: 'In the paper',
+  allowed: 'Allowed',
+  byDefault: 'If left out',
+  required: 'a fault: every file has it',
+  absent: 'nothing',
+  shows: (name: string, value: string): string => `${name}: ${value}`,
+  open: (value: string): string => `Open a tree with ${value} in the editor`,
+  element: {
+    attributes: 'Attributes',
+    properties: 'Properties',
+    methods: 'Methods',
+    events: 'Events',
+    slots: 'Slots',
+    parts: 'Parts',
+    cssProperties: 'CSS properties',
+    cssStates: 'States',
+    name: 'Name',
+    type: 'Type',
+    otherwise: 'If left out',
+    means: 'What it does',
+    none: 'The table of the element is not there yet: run the build.',
+    theDefault: '(without a name)',
+  },
+} as const;
