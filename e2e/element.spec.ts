@@ -188,16 +188,34 @@ test('gives twenty elements one context and one worker, and loses nothing in 200
   page,
 }) => {
   await open(page);
-  const seen = await page.evaluate(async () => {
-    const { add, next, place, renderer } = window.elements;
-    const style = { species: 'quaking-aspen', time: '0s', loading: 'eager', 'max-pixel-ratio': '0.25', detail: 'low' };
+  const cdp = await page.context().newCDPSession(page);
+  /** Bytes that scripts hold, arrays that lie beside the heap included. */
+  const held = async (): Promise<number> => {
+    await cdp.send('HeapProfiler.collectGarbage');
+    const usage: { usedSize: number; backingStorageSize?: number } = await cdp.send('Runtime.getHeapUsage');
+    return usage.usedSize + (usage.backingStorageSize ?? 0);
+  };
+  const style = { species: 'quaking-aspen', time: '0s', loading: 'eager', 'max-pixel-ratio': '0.25', detail: 'low' };
+  const counts = () =>
+    page.evaluate(async () => {
+      const { renderer, place } = window.elements;
+      const { info, users } = await renderer();
+      return { ...info, users, nodes: document.querySelectorAll('*').length, left: place.children.length };
+    });
+
+  const twenty = await page.evaluate(async (style) => {
+    const { add, next, renderer } = window.elements;
     const trees = Array.from({ length: 20 }, (_, i) => add({ ...style, seed: String(i) }));
     await Promise.all(trees.map((tree) => next(tree, 'load')));
-    const shared = await renderer();
-    const twenty = { ...window.made, users: shared.users };
+    const seen = { ...window.made, users: (await renderer()).users };
     for (const tree of trees.slice(1)) tree.remove();
-    const nodes = (): number => document.querySelectorAll('*').length;
-    const before = { ...shared.info, nodes: nodes() };
+    return seen;
+  }, style);
+  expect(twenty).toEqual({ contexts: 1, workers: 1, living: 1, users: 20 });
+
+  const [before, heldBefore] = [await counts(), await held()];
+  await page.evaluate(async (style) => {
+    const { add, next } = window.elements;
     for (let i = 0; i < 200; i++) {
       const tree = add({ ...style, seed: '1' });
       // Most go while they load, some before anything, some with a picture.
@@ -208,21 +226,15 @@ test('gives twenty elements one context and one worker, and loses nothing in 200
     const last = add({ ...style, seed: '1' });
     await next(last, 'load');
     last.remove();
-    return {
-      twenty,
-      before,
-      after: { ...shared.info, nodes: nodes() },
-      users: shared.users,
-      made: window.made,
-      left: place.children.length,
-    };
-  });
-  expect(seen.twenty).toEqual({ contexts: 1, workers: 1, living: 1, users: 20 });
-  expect(seen.after).toEqual(seen.before);
-  expect(seen).toMatchObject({ users: 1, left: 1 });
+  }, style);
+  expect(await counts()).toEqual(before);
+  expect(before).toMatchObject({ users: 1, left: 1 });
+  // The arrays of one tree take half a megabyte.
+  expect((await held()) - heldBefore).toBeLessThan(2e6);
   // A worker that grows what nobody wants any more is replaced: there is one, and at most one more that begins.
-  expect(seen.made.contexts).toBe(1);
-  expect(seen.made.living).toBeLessThanOrEqual(2);
+  const made = await page.evaluate(() => window.made);
+  expect(made.contexts).toBe(1);
+  expect(made.living).toBeLessThanOrEqual(2);
 });
 
 test('does without workers; without WebGL2 it says so, and shows the slot for it', async ({ page }) => {

@@ -39,6 +39,21 @@ export async function loadPreset(preset: string): Promise<Tree> {
   return tree;
 }
 
+/** Triangles of a tree of ez-tree's. */
+const trianglesOf = ({ branchesMesh, leavesMesh }: Tree): number =>
+  [branchesMesh, leavesMesh].reduce((sum, { geometry }) => sum + (geometry.index?.count ?? 0) / 3, 0);
+
+/** The preset, of those named, whose triangles come nearest to a number, by their ratio. */
+export async function presetWith(triangles: number, presets: readonly string[]): Promise<string> {
+  let best = presets[0]!;
+  let least = Number.POSITIVE_INFINITY;
+  for (const preset of presets) {
+    const away = Math.abs(Math.log(trianglesOf(await loadPreset(preset)) / triangles));
+    if (away < least) [best, least] = [preset, away];
+  }
+  return best;
+}
+
 /** A preset of ez-tree at a height in metres; where there are more `places` (x, z) copies of it share its vertices. */
 export async function ezTree(
   preset: string,

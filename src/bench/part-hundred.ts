@@ -3,12 +3,22 @@ import { Grove } from '../view/forest/grove.ts';
 import { loadSpecies, loadWind } from '../view/load.ts';
 import { Stage } from '../view/stage.ts';
 import { newGroveClient } from '../worker/grove-client.ts';
-import { ezTree } from './ez.ts';
+import { ezTree, presetWith } from './ez.ts';
 import { timeFrames } from './frame-timer.ts';
 import { type Picture, type Section, SIZE } from './section.ts';
 import { words } from './words.ts';
 
-const PRESET = 'Aspen Medium';
+/** The one of about as many triangles as a tree of ours takes in that picture stands beside it. */
+const PRESETS = [
+  'Aspen Small',
+  'Aspen Medium',
+  'Aspen Large',
+  'Ash Small',
+  'Bush 1',
+  'Bush 2',
+  'Oak Small',
+  'Oak Medium',
+];
 /** Metres from tree to tree. */
 const APART = 5;
 
@@ -67,9 +77,10 @@ export const HUNDRED: Section = {
       const first = (performance.now() - began) / 1000;
       const mine = shot(words.hundred.ours(trees));
       grove.visible = false;
-      await step(words.growing(PRESET));
+      await step(words.growing(words.hundred.other));
+      const preset = await presetWith(grove.stats().triangles / trees, PRESETS);
       const from = performance.now();
-      const other = await ezTree(PRESET, 0.9 * top, places);
+      const other = await ezTree(preset, 0.9 * top, places);
       stage.scene.add(other.object);
       other.update(2);
       stage.render();

@@ -27,7 +27,8 @@ export const words = {
   },
   hundred: {
     title: 'A hundred trees',
-    lead: "Ours are all different and move to the last twig; ez-tree's are copies of one, which costs it least, and move their leaves alone.",
+    lead: "Ours are all different and move to the last twig; ez-tree's are copies of the preset that has about as many triangles as a tree of ours takes there, which costs it least, and move their leaves alone.",
+    other: 'a tree of as many triangles',
     caption: (count: number) => `${count} trees in a field`,
     columns: [
       'trees',

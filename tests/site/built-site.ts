@@ -3,7 +3,7 @@ import { join, sep } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import type { BuiltSite } from '../../src/site/kept-files.ts';
 
-/** A site that was built into a folder. */
+/** A site that was built into a folder; pages that only browser tests look at, built beside it, are not of it. */
 export function siteIn(folder: string): BuiltSite {
   const files = readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
@@ -11,7 +11,8 @@ export function siteIn(folder: string): BuiltSite {
       join(entry.parentPath, entry.name)
         .slice(folder.length + 1)
         .replaceAll(sep, '/'),
-    );
+    )
+    .filter((path) => !path.startsWith('e2e/'));
   return { files, text: (path) => readFileSync(join(folder, path), 'utf8') };
 }
 

@@ -40,7 +40,9 @@ test('geometry is made anew where it must look another way, and not from frame t
   tree.setTree(packed, species);
   const geometries = (distance: number): unknown[] => {
     tree.update(camera(distance));
-    return tree.children.map((mesh) => (mesh as unknown as { geometry: unknown }).geometry);
+    return tree.children
+      .filter(({ visible }) => visible)
+      .map((mesh) => (mesh as unknown as { geometry: unknown }).geometry);
   };
   const near = geometries(8);
   geometries(8).forEach((geometry, i) => {

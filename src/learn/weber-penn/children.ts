@@ -1,9 +1,10 @@
 import { downAngleAlong, shapeRatio } from '../../core/grow/stem-shape.ts';
+import type { Tree } from '../../core/grow/tree.ts';
 import type { Species } from '../../core/species/species.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, switchOf, type Values } from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { type FigureSpec, numberOf, switchOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { AspenFigure } from './aspen-figure.ts';
 import { type Changes, changedSpecies, editorLink } from './changed-species.ts';
-import { remembered } from './grown.ts';
 import { printedDown } from './printed.ts';
 import { declinationAt, sketchTree, stemsOf } from './sketch.ts';
 
@@ -19,24 +20,13 @@ const changes = (values: Values): Changes => ({
   leaves: { count: 0 },
 });
 
-class Children implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #aspen: Species;
-  readonly #plane: Plane;
-  readonly #grow = remembered();
-
-  constructor(host: FigureHost, aspen: Species) {
-    this.#host = host;
-    this.#aspen = aspen;
-    this.#plane = new Plane(host);
-  }
-
+class Children extends AspenFigure {
   draw(values: Values): Record<string, string> {
-    const c = this.#host.colours();
-    const p = this.#plane;
+    const c = this.host.colours();
+    const p = this.plane;
     p.begin({ x: [-5, 12.5], y: [-0.4, 13.6], equal: true });
     p.line([p.x[0], 0], [5, 0], { colour: c.line, width: 1 });
-    const tree = this.#grow(JSON.stringify(values), () => changedSpecies(this.#aspen, changes(values)), 1);
+    const tree = this.grow(JSON.stringify(values), () => changedSpecies(this.aspen, changes(values)), 1);
     sketchTree(p, tree, { colours: c });
     this.#graph(values, tree);
     const main = stemsOf(tree, 1);
@@ -46,9 +36,9 @@ class Children implements FigureStage {
   }
 
   /** Height across, beside the tree at the same heights: the angle at which a branch leaves. */
-  #graph(values: Values, tree: ReturnType<ReturnType<typeof remembered>>): void {
-    const c = this.#host.colours();
-    const p = this.#plane;
+  #graph(values: Values, tree: Tree): void {
+    const c = this.host.colours();
+    const p = this.plane;
     const at = (degrees: number): number => 6.6 + (degrees / 140) * 5.4;
     for (const degrees of [0, 45, 90, 135]) {
       p.line([at(degrees), BARE * TRUNK], [at(degrees), TRUNK], { colour: c.hairline, width: 1 });

@@ -2,10 +2,10 @@ import { newFrame } from '../../core/grow/frame.ts';
 import { leafBend } from '../../core/grow/leaf-bend.ts';
 import type { Tree } from '../../core/grow/tree.ts';
 import type { Species } from '../../core/species/species.ts';
-import { choiceOf, type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { choiceOf, type FigureSpec, numberOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { AspenFigure } from './aspen-figure.ts';
 import { type Changes, changedSpecies } from './changed-species.ts';
-import { remembered } from './grown.ts';
 import { printedLeafBend } from './printed.ts';
 import { sketchTree } from './sketch.ts';
 
@@ -64,24 +64,13 @@ const HEXAGON: readonly Point[] = [
 /** The eye looks a little down on the twig. */
 const DOWN = 0.35;
 
-class Leaves implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #aspen: Species;
-  readonly #plane: Plane;
-  readonly #grow = remembered();
-
-  constructor(host: FigureHost, aspen: Species) {
-    this.#host = host;
-    this.#aspen = aspen;
-    this.#plane = new Plane(host);
-  }
-
+class Leaves extends AspenFigure {
   draw(values: Values): Record<string, string> {
-    const c = this.#host.colours();
-    const p = this.#plane;
+    const c = this.host.colours();
+    const p = this.plane;
     p.begin({ x: [-0.85, 0.85], y: [-0.05, 1.4], equal: true });
     const { bend: _, ...grown } = values;
-    const tree = this.#grow(JSON.stringify(grown), () => changedSpecies(this.#aspen, changes(values)), 6);
+    const tree = this.grow(JSON.stringify(grown), () => changedSpecies(this.aspen, changes(values)), 6);
     sketchTree(p, tree, { colours: c, leaves: false });
     const bend = numberOf(values, 'bend');
     const form = choiceOf(values, 'form') === 'printed' ? printedLeafBend : leafBend;

@@ -1,8 +1,7 @@
 import type { Species } from '../../core/species/species.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane } from '../plane.ts';
+import { type FigureSpec, numberOf, type Values } from '../figure.ts';
+import { AspenFigure } from './aspen-figure.ts';
 import { type Changes, changedSpecies, editorLink } from './changed-species.ts';
-import { remembered } from './grown.ts';
 import { sketchTree, stemsOf } from './sketch.ts';
 
 /** One trunk, a few branches and nothing random: as the paper draws its terms. */
@@ -25,25 +24,14 @@ const changes = (values: Values): Changes => ({
   leaves: { count: 0 },
 });
 
-class Parts implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #aspen: Species;
-  readonly #plane: Plane;
-  readonly #grow = remembered();
-
-  constructor(host: FigureHost, aspen: Species) {
-    this.#host = host;
-    this.#aspen = aspen;
-    this.#plane = new Plane(host);
-  }
-
+class Parts extends AspenFigure {
   #tree(values: Values) {
-    return this.#grow(JSON.stringify(values), () => changedSpecies(this.#aspen, changes(values)), 3);
+    return this.grow(JSON.stringify(values), () => changedSpecies(this.aspen, changes(values)), 3);
   }
 
   draw(values: Values): Record<string, string> {
-    const c = this.#host.colours();
-    const p = this.#plane;
+    const c = this.host.colours();
+    const p = this.plane;
     p.begin({ x: [-6.4, 6.4], y: [-0.6, 13.6], equal: true, margin: { top: 12, bottom: 12, left: 12, right: 12 } });
     p.line([p.x[0], 0], [p.x[1], 0], { colour: c.line, width: 1 });
     const tree = this.#tree(values);
@@ -97,7 +85,7 @@ class Parts implements FigureStage {
   }
 
   handles(values: Values) {
-    const p = this.#plane;
+    const p = this.plane;
     const top = 13;
     return [
       p.handle({
@@ -105,9 +93,9 @@ class Parts implements FigureStage {
         label: 'Base of the crown',
         at: [0, top * numberOf(values, 'baseSize')],
         ways: 'up',
-        colour: this.#host.colours().answer,
+        colour: this.host.colours().answer,
         said: `${(top * numberOf(values, 'baseSize')).toFixed(1)} metres`,
-        move: (_, y) => this.#host.set('baseSize', y / top),
+        move: (_, y) => this.host.set('baseSize', y / top),
       }),
     ];
   }

@@ -1,7 +1,8 @@
 import { envelopeRatio } from '../../core/grow/stem-shape.ts';
 import type { Species } from '../../core/species/species.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { type FigureSpec, numberOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { AspenFigure } from './aspen-figure.ts';
 import { type Changes, changedSpecies, editorLink } from './changed-species.ts';
 import { remembered } from './grown.ts';
 import { printedEnvelope } from './printed.ts';
@@ -18,26 +19,16 @@ const changes = (values: Values, ratio = numberOf(values, 'ratio')): Changes => 
   pruning: { ratio, width: numberOf(values, 'width'), widthPeak: numberOf(values, 'peak'), ...POWERS },
 });
 
-class Pruning implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #aspen: Species;
-  readonly #plane: Plane;
-  readonly #grow = remembered();
+class Pruning extends AspenFigure {
   readonly #whole = remembered();
 
-  constructor(host: FigureHost, aspen: Species) {
-    this.#host = host;
-    this.#aspen = aspen;
-    this.#plane = new Plane(host);
-  }
-
   draw(values: Values): Record<string, string> {
-    const c = this.#host.colours();
-    const p = this.#plane;
+    const c = this.host.colours();
+    const p = this.plane;
     p.begin({ x: [-8.5, 8.5], y: [-0.4, 13.6], equal: true });
     p.line([p.x[0], 0], [p.x[1], 0], { colour: c.line, width: 1 });
-    const whole = this.#whole('whole', () => changedSpecies(this.#aspen, changes(values, 0)), 5);
-    const tree = this.#grow(JSON.stringify(values), () => changedSpecies(this.#aspen, changes(values)), 5);
+    const whole = this.#whole('whole', () => changedSpecies(this.aspen, changes(values, 0)), 5);
+    const tree = this.grow(JSON.stringify(values), () => changedSpecies(this.aspen, changes(values)), 5);
     sketchTree(p, whole, { colours: c, colour: c.hairline });
     sketchTree(p, tree, { colours: c });
     const shape = { widthPeak: numberOf(values, 'peak'), ...POWERS };
@@ -57,7 +48,7 @@ class Pruning implements FigureStage {
   }
 
   handles(values: Values) {
-    const p = this.#plane;
+    const p = this.plane;
     const [width, peak] = [numberOf(values, 'width'), numberOf(values, 'peak')];
     const low = SCALE * BARE;
     return [
@@ -65,11 +56,11 @@ class Pruning implements FigureStage {
         id: 'peak',
         label: 'Widest place of the envelope',
         at: [SCALE * width, low + peak * (SCALE - low)],
-        colour: this.#host.colours().answer,
+        colour: this.host.colours().answer,
         said: `${(SCALE * width).toFixed(1)} metres out, ${(100 * peak).toFixed(0)} per cent up the crown`,
         move: (x, y) => {
-          this.#host.set('width', x / SCALE);
-          this.#host.set('peak', (y - low) / (SCALE - low));
+          this.host.set('width', x / SCALE);
+          this.host.set('peak', (y - low) / (SCALE - low));
         },
       }),
     ];

@@ -1,9 +1,8 @@
 import { splitSequence } from '../../core/grow/splits.ts';
 import type { Species } from '../../core/species/species.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane } from '../plane.ts';
+import { type FigureSpec, numberOf, type Values } from '../figure.ts';
+import { AspenFigure } from './aspen-figure.ts';
 import { type Changes, changedSpecies, editorLink } from './changed-species.ts';
-import { remembered } from './grown.ts';
 import { sketchTree } from './sketch.ts';
 
 const changes = (values: Values): Changes => ({
@@ -20,24 +19,13 @@ const changes = (values: Values): Changes => ({
   leaves: { count: 0 },
 });
 
-class Splits implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #aspen: Species;
-  readonly #plane: Plane;
-  readonly #grow = remembered();
-
-  constructor(host: FigureHost, aspen: Species) {
-    this.#host = host;
-    this.#aspen = aspen;
-    this.#plane = new Plane(host);
-  }
-
+class Splits extends AspenFigure {
   draw(values: Values): Record<string, string> {
-    const c = this.#host.colours();
-    const p = this.#plane;
+    const c = this.host.colours();
+    const p = this.plane;
     p.begin({ x: [-8, 8], y: [-0.4, 13.4], equal: true });
     p.line([p.x[0], 0], [p.x[1], 0], { colour: c.line, width: 1 });
-    const tree = this.#grow(JSON.stringify(values), () => changedSpecies(this.#aspen, changes(values)), 2);
+    const tree = this.grow(JSON.stringify(values), () => changedSpecies(this.aspen, changes(values)), 2);
     const { stems } = tree;
     sketchTree(p, tree, { colours: c, turn: 0.5 });
     for (let i = 0; i < stems.count; i++) {
