@@ -229,8 +229,8 @@ test('gives twenty elements one context and one worker, and loses nothing in 200
   }, style);
   expect(await counts()).toEqual(before);
   expect(before).toMatchObject({ users: 1, left: 1 });
-  // The arrays of one tree take half a megabyte.
-  expect((await held()) - heldBefore).toBeLessThan(2e6);
+  // The elements alone, were they kept without their trees, would be 0.8 MB more; what the engine itself keeps is 0.4 MB.
+  expect((await held()) - heldBefore).toBeLessThan(7e5);
   // A worker that grows what nobody wants any more is replaced: there is one, and at most one more that begins.
   const made = await page.evaluate(() => window.made);
   expect(made.contexts).toBe(1);
