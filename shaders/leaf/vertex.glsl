@@ -21,6 +21,10 @@ uniform vec2 leafFlutter;
 uniform float leafHang;
 // Direction towards which it blows at the tree, tree axes; shorter than 1 where it hardly does.
 uniform vec2 leafWind;
+#ifdef LEAF_LISTED
+// Places of the leaves to draw, 256 a row (src/view/near-leaves.ts).
+uniform highp usampler2D leafPlaces;
+#endif
 #ifdef LEAF_CUT
 // Least and most depth, in the camera's space, at which leaves are drawn by this mesh: others are drawn finer or coarser by another.
 uniform vec2 leafCut;
@@ -61,12 +65,23 @@ bool leafShown(vec3 centre) {
 }
 #endif
 
+// Place of this copy's leaf in their draw order; -1: there is none.
+int leafPlace() {
+  int copy = gl_InstanceID * leafRange.y + int(blade.z);
+  if (copy >= leafRange.x) return -1;
+#ifdef LEAF_LISTED
+  return int(texelFetch(leafPlaces, ivec2(copy & 255, copy >> 8), 0).x);
+#else
+  return copy;
+#endif
+}
+
 LeafVertex leafVertex() {
-  int place = gl_InstanceID * leafRange.y + int(blade.z);
+  int place = leafPlace();
 #ifdef GROVE
   vShare = vec2(0.0);
 #endif
-  if (place >= leafRange.x) return LeafVertex(vec3(0.0), vec3(0.0, 0.0, 1.0), 0.0);
+  if (place < 0) return LeafVertex(vec3(0.0), vec3(0.0, 0.0, 1.0), 0.0);
   ivec2 texel = texelOf(place, leafLog2Width);
   uvec4 bits = texelFetch(leaves, ivec3(texel, LEAF_LEAF), 0);
 #ifdef GROVE

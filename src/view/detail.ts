@@ -132,21 +132,25 @@ export interface LeafSeen {
   readonly perspective: boolean;
 }
 
-/** The depth, in units of the camera's space, up to which `count` leaves are drawn in their finest form; 0 where none is, or where looking for them takes too long. */
-export function nearDepth({ length, triangles, scale, perspective }: LeafSeen, count: number, detail: Detail): number {
-  if (triangles * count > NEAR_TRIANGLES[detail]) return 0;
+/** The depth, in units of the camera's space, up to which leaves are drawn in their finest form; 0 where none is. */
+export function nearDepth({ length, triangles, scale, perspective }: LeafSeen, detail: Detail): number {
+  if (detail === 'low') return 0;
   const depth = (length * scale) / leastLength('near', triangles, detail);
   if (perspective) return depth;
   return depth >= 1 ? Number.POSITIVE_INFINITY : 0;
 }
 
+/** How many leaves may be drawn in their finest form, of `triangles` each. */
+export const nearMost = (triangles: number, detail: Detail): number =>
+  Math.floor(NEAR_TRIANGLES[detail] / Math.max(1, triangles));
+
 /** Triangles that one level of stems, and the leaves, may take before a coarser form is chosen. */
 const STEM_TRIANGLES: Record<Detail, number> = { auto: 50_000, high: 2_000_000, low: 60_000 };
 /** And that the relief of their bark may take. */
 const RELIEF_TRIANGLES: Record<Detail, number> = { auto: 70_000, high: 600_000, low: 20_000 };
-const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 600_000, high: 6_000_000, low: 100_000 };
-/** Triangles of leaves in their finest form that may be looked at for those that are near: the others are dropped one by one. */
-const NEAR_TRIANGLES: Record<Detail, number> = { auto: 700_000, high: 16_000_000, low: 0 };
+const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 400_000, high: 6_000_000, low: 100_000 };
+/** And those that are near, in their finest form. */
+const NEAR_TRIANGLES: Record<Detail, number> = { auto: 200_000, high: 4_000_000, low: 0 };
 
 /** Leaves that are drawn at most, by default. */
 export const LEAF_BUDGET: Record<Detail, number> = { auto: 100_000, high: 600_000, low: 30_000 };

@@ -1,8 +1,9 @@
 import { type Box3, type Camera, type Object3D, Vector2 } from 'three';
 import type { LeafGrain, LeafMesh } from '../core/look/leaf-mesh.ts';
-import { bundleFor, type LeafShadow, leafGeometry, recount } from './branch-geometry.ts';
+import { BUNDLE, bundleFor, type LeafShadow, leafGeometry, recount } from './branch-geometry.ts';
 import type { channelUniforms } from './channel-texels.ts';
-import { leafGrain, leafGrowth, leavesCasting, leavesDrawn, nearDepth } from './detail.ts';
+import { leafGrain, leafGrowth, leavesCasting, leavesDrawn, nearDepth, nearMost } from './detail.ts';
+import { NearLeaves } from './near-leaves.ts';
 import { disposeMaterials, dress, leafMaterials, type MaterialSet } from './tree-materials.ts';
 import type { Shown, TreeMesh } from './tree-parts.ts';
 import type { LeafUniforms, SharedUniforms } from './uniforms.ts';
@@ -35,6 +36,8 @@ export interface LeafLike {
   readonly length: number;
   readonly widthOverLength: number;
   readonly roughness: number;
+  /** Where they hang at rest, 3 numbers each, in the space of the tree. */
+  readonly points: () => Float32Array;
 }
 
 /** Depth beyond everything. */
@@ -89,6 +92,9 @@ export class LeafLayer {
   #far: LeafDraw | null = null;
   #near: LeafDraw | null = null;
   #thing: LeafLike | null = null;
+  /** Where its leaves hang, once that was asked for. */
+  #points: Float32Array | null = null;
+  readonly #list = new NearLeaves();
   /** How many the far mesh's geometry has, 0 for none, and how finely it draws each. */
   #drawn = 0;
   #casting = 0;
@@ -119,6 +125,7 @@ export class LeafLayer {
   /** Takes other things to draw; their geometry is made at the next frame. */
   take(thing: LeafLike): void {
     this.#thing = thing;
+    this.#points = null;
     this.#drawn = 0;
     for (const draw of [this.#far, this.#near]) if (draw?.set) draw.set.standard.roughness = thing.roughness;
   }
@@ -147,6 +154,7 @@ export class LeafLayer {
   dispose(): void {
     this.#far?.dispose();
     this.#near?.dispose();
+    this.#list.dispose();
     this.#far = null;
     this.#near = null;
   }
@@ -176,35 +184,47 @@ export class LeafLayer {
       this.#grain = grain;
     }
     this.#dress(this.#far, 'far', thing);
-    const depth = this.#nearDepth(thing, growY, camera, scale, count);
+    const depth = this.#findNear(thing, growY, camera, scale, count, box);
     this.#far.leafCut.value.x = depth > 0 ? depth : -BEYOND;
-    if (depth > 0) this.#drawNear(thing, depth, count, bundle, box);
+    if (depth > 0) this.#drawNear(thing, depth, box);
     else if (this.#near) this.#near.mesh.visible = false;
   }
 
-  /** Depth up to which leaves are seen near by; 0 where none can be. */
-  #nearDepth(thing: LeafLike, growth: number, camera: Camera, nearest: number, count: number): number {
+  /** Finds the leaves that are seen near by; returns the depth up to which they are, 0 where none is. */
+  #findNear(thing: LeafLike, growth: number, camera: Camera, nearest: number, count: number, box: Box3): number {
     const { shown, pictureHeight, matrixWorld } = this.#host;
     const { elements } = camera.projectionMatrix;
-    const leaf = { length: thing.length * growth, triangles: thing.triangles.near };
-    // A mesh of leaves none of which is near would be drawn for nothing.
-    if (nearDepth({ ...leaf, scale: nearest, perspective: false }, count, shown.detail) === 0) return 0;
+    // Where there are too many to draw all of them as finely as they should be, those that are near begin farther away.
+    const fine = leafGrain(thing.length * growth * nearest, 0, (g) => thing.triangles[g], shown.detail);
+    const farther = fine === this.#grain ? 1 : 2;
+    const leaf = { length: farther * thing.length * growth, triangles: thing.triangles.near };
+    // Mostly no leaf is near, and none is looked for.
+    if (nearDepth({ ...leaf, scale: nearest, perspective: false }, shown.detail) === 0) return 0;
     const seen = {
-      ...leaf,
+      triangles: leaf.triangles,
       length: leaf.length * matrixWorld.getMaxScaleOnAxis(),
       scale: elements[5]! * pictureHeight * 0.5,
       perspective: elements[15] !== 1,
     };
-    return nearDepth(seen, count, shown.detail);
+    this.#points ??= thing.points();
+    const wish = {
+      points: this.#points,
+      count,
+      depth: nearDepth(seen, shown.detail),
+      slack: 0.1 * (box.max.z - box.min.z), // as windBox has it
+      most: nearMost(leaf.triangles, shown.detail),
+    };
+    const depth = this.#list.find(wish, camera, matrixWorld);
+    return this.#list.count > 0 ? depth : 0;
   }
 
-  #drawNear(thing: LeafLike, depth: number, count: number, bundle: number, box: Box3): void {
+  #drawNear(thing: LeafLike, depth: number, box: Box3): void {
     this.#near ??= this.#draw('near');
     const { mesh, leafCut } = this.#near;
-    if (mesh.geometry.userData.count !== count || mesh.geometry.userData.of !== thing) {
-      this.#near.draw(`${thing.key} ${bundle}`, () => thing.mesh('near', bundle), count, bundle, box, null);
-      mesh.geometry.userData.of = thing;
-    }
+    const { count } = this.#list;
+    const made = `${thing.key} near`;
+    if (mesh.geometry.userData.made !== made || mesh.geometry.userData.count !== count)
+      this.#near.draw(made, () => thing.mesh('near', BUNDLE), count, BUNDLE, box, null);
     leafCut.value.y = depth;
     mesh.visible = true;
     mesh.castShadow = false; // the far mesh casts for all
@@ -218,8 +238,10 @@ export class LeafLayer {
   #dress(draw: LeafDraw, kind: 'near' | 'far', { roughness }: LeafLike): void {
     if (draw.set) return;
     const { shared, channelLook, shown } = this.#host;
-    const defines = ['LEAF_CUT', ...this.#defines[kind], ...this.#host.viewDefines()];
-    const uniforms = { ...shared, ...channelLook, ...this.#look, leafCut: draw.leafCut };
+    const listed = kind === 'near' ? ['LEAF_LISTED'] : [];
+    const defines = ['LEAF_CUT', ...listed, ...this.#defines[kind], ...this.#host.viewDefines()];
+    const own = kind === 'near' ? this.#list.uniforms : {};
+    const uniforms = { ...shared, ...channelLook, ...this.#look, ...own, leafCut: draw.leafCut };
     draw.set = leafMaterials(defines, uniforms, this.#cast);
     draw.set.standard.roughness = roughness;
     draw.set.standard.wireframe = shown.mode === 'wireframe';

@@ -47,7 +47,7 @@ export const LEAF_STANDARD: Injection = {
 vLeaf = vec4(blade.w, crownSky(here.position), blade.xy);
 leafColours(here.own);
 #ifdef CHANNEL_VIEW
-LeafTexel channelLeaf = leafTexel(texelFetch(leaves, ivec3(texelOf(gl_InstanceID * leafRange.y + int(blade.z), leafLog2Width), LEAF_LEAF), 0));
+LeafTexel channelLeaf = leafTexel(texelFetch(leaves, ivec3(texelOf(max(leafPlace(), 0), leafLog2Width), LEAF_LEAF), 0));
 vec3 channelFoot = sectionAt(readPose(channelLeaf.piece, channelLeaf.odd), channelLeaf.v).centre;
 vChannel = channelOfLeaf(channelLeaf.piece, channelLeaf.v, channelLeaf.phase, channelFoot);
 #endif`,

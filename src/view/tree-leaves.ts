@@ -3,6 +3,7 @@ import type { GroveLight } from '../core/look/grove-light.ts';
 import { coverCount, organCount } from '../core/look/leaf-count.ts';
 import { leafThin } from '../core/look/leaf-look.ts';
 import { type LeafGrain, leafMesh, leafTriangles } from '../core/look/leaf-mesh.ts';
+import { leafPoints } from '../core/look/leaf-points.ts';
 import { leafForm, leafSpecOf } from '../core/look/leaf-shapes.ts';
 import { lobeEnds, VEIN_GROUPS } from '../core/look/leaf-veins.ts';
 import { ORGAN_HANG, organMesh, organTriangles } from '../core/look/organ-mesh.ts';
@@ -155,6 +156,7 @@ function leavesOf(tree: PackedTree, species: Species): LeafLike {
     length: tree.leafLength * foliage.size,
     widthOverLength: leaves.scaleX,
     roughness: foliage.roughness,
+    points: () => leafPoints(tree, tree.leafCount),
   };
 }
 
@@ -168,5 +170,6 @@ function organsOf(tree: PackedTree, { organ }: Species): LeafLike {
     length: organ.size,
     widthOverLength: 1,
     roughness: kind === 'fruit' ? 0.35 : 0.75,
+    points: () => leafPoints(tree, tree.leafCount),
   };
 }

@@ -1,0 +1,57 @@
+import { Matrix4, PerspectiveCamera, Vector3 } from 'three';
+import { describe, expect, it } from 'vitest';
+import { NearLeaves, type NearWish } from '../../src/view/near-leaves.ts';
+
+/** A leaf each half metre along y, from 0 to 50 m. */
+const points = Float32Array.from({ length: 300 }, (_, i) => (i % 3 === 1 ? Math.floor(i / 3) / 2 : 0));
+const wish: NearWish = { points, count: 100, depth: 5, slack: 1, most: 100 };
+
+/** At the origin, looking along y as a tree has it. */
+function camera(y = 0): PerspectiveCamera {
+  const eye = new PerspectiveCamera(30, 1, 0.1, 100);
+  eye.position.set(0, y, 0);
+  eye.up.set(0, 0, 1);
+  eye.lookAt(new Vector3(0, y + 1, 0));
+  eye.updateMatrixWorld();
+  return eye;
+}
+
+const listed = ({ uniforms, count }: NearLeaves): number[] =>
+  Array.from(uniforms.leafPlaces.value!.image.data as Uint32Array).slice(0, count);
+
+describe('leaves near by', () => {
+  it('are all that are within the depth wherever the wind has them, and none that is far beyond', () => {
+    const near = new NearLeaves();
+    expect(near.find(wish, camera(), new Matrix4())).toBe(5);
+    const found = listed(near);
+    // 5 m and the metre that each may have been moved by.
+    for (let i = 0; i <= 12; i++) expect(found).toContain(i);
+    expect(Math.max(...found)).toBeLessThan(16);
+    expect(near.uniforms.leafRange.value.x).toBe(near.count);
+  });
+
+  it('are found again where the camera has gone on, and not for a step', () => {
+    const near = new NearLeaves();
+    near.find(wish, camera(), new Matrix4());
+    near.find(wish, camera(0.2), new Matrix4());
+    expect(listed(near)).toContain(0);
+    near.find(wish, camera(20), new Matrix4());
+    expect(listed(near)).not.toContain(0);
+    expect(listed(near)).toContain(42);
+  });
+
+  it('are those up to a lesser depth where there would be too many', () => {
+    const near = new NearLeaves();
+    const depth = near.find({ ...wish, depth: 40, slack: 0.1, most: 20 }, camera(), new Matrix4());
+    expect(near.count).toBeLessThanOrEqual(20);
+    expect(near.count).toBeGreaterThan(8);
+    expect(depth).toBeLessThan(10);
+    for (let i = 0; i <= 2 * depth; i++) expect(listed(near)).toContain(i);
+  });
+
+  it('are measured in the space of a tree that is scaled', () => {
+    const near = new NearLeaves();
+    near.find(wish, camera(), new Matrix4().makeScale(2, 2, 2));
+    expect(Math.max(...listed(near))).toBeLessThan(10);
+  });
+});
