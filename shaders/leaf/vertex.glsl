@@ -51,17 +51,12 @@ vec3 swung(vec3 a, vec2 sines, vec2 cosines) {
 #ifdef LEAF_CUT
 // Is a leaf at a place of the tree drawn by this mesh, and may the picture show it?
 bool leafShown(vec3 centre) {
-  vec3 seen = (modelViewMatrix * vec4(centre, 1.0)).xyz;
-  float depth = -seen.z;
-  if (depth < leafCut.x || depth >= leafCut.y) return false;
-  // A leaf and its stalk, leant over, as a ball that is tested against the sides of the view.
+  vec4 seen = modelViewMatrix * vec4(centre, 1.0);
+  // A leaf and its stalk, leant over, as a ball; a little more room than it needs at the sides of the view.
   float reach = 1.6 * max(leafSize.x, leafSize.y) * length(modelViewMatrix[0].xyz);
-  vec2 slope = vec2(projectionMatrix[0][0], projectionMatrix[1][1]);
-  bool perspective = projectionMatrix[2][3] != 0.0;
-  vec2 offset = perspective ? vec2(projectionMatrix[2][0], projectionMatrix[2][1]) * seen.z : vec2(projectionMatrix[3][0], projectionMatrix[3][1]);
-  float edge = perspective ? depth : 1.0;
-  vec2 room = reach * sqrt(slope * slope + (perspective ? 1.0 : 0.0));
-  return all(lessThan(abs(slope * seen.xy + offset), vec2(edge) + room));
+  vec4 at = projectionMatrix * seen;
+  vec2 room = at.w + reach + reach * vec2(projectionMatrix[0][0], projectionMatrix[1][1]);
+  return -seen.z >= leafCut.x && -seen.z < leafCut.y && all(lessThan(abs(at.xy), room));
 }
 #endif
 

@@ -1,13 +1,4 @@
-import {
-  type Camera,
-  DataTexture,
-  Matrix4,
-  NearestFilter,
-  RedIntegerFormat,
-  UnsignedIntType,
-  Vector2,
-  Vector3,
-} from 'three';
+import { type Camera, DataTexture, Matrix4, RedIntegerFormat, UnsignedIntType, Vector2, Vector3 } from 'three';
 import { BUNDLE } from './branch-geometry.ts';
 
 /** Texels in a row of the list; shaders/leaf/vertex.glsl reads it by the same number. */
@@ -120,8 +111,6 @@ export class NearLeaves {
       const size = 2 ** Math.ceil(Math.log2(rows));
       const texture = new DataTexture(new Uint32Array(ROW * size), ROW, size, RedIntegerFormat, UnsignedIntType);
       texture.internalFormat = 'R32UI';
-      texture.minFilter = NearestFilter;
-      texture.magFilter = NearestFilter;
       texture.name = 'leaves near by';
       leafPlaces.value = texture;
     }

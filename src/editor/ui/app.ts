@@ -1,6 +1,5 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { frameWords } from '../words/frame.ts';
-import './compare-layer.ts';
 import './dialogs.ts';
 import './notices.ts';
 import './sheet.ts';
@@ -33,9 +32,11 @@ class App extends Part {
 
   protected override render(): TemplateResult {
     const { editor } = this;
+    // It comes with the panels: what is compared is rarely what is seen first.
+    const compared = customElements.get('wg-compare') ? html`<wg-compare .editor=${editor}></wg-compare>` : nothing;
     if (this.session.embed)
-      return html`<wg-compare .editor=${editor}></wg-compare>${this.messages()}${customElements.get('wg-embed') ? html`<wg-embed .editor=${editor}></wg-embed>` : nothing}`;
-    return html`<wg-compare .editor=${editor}></wg-compare>
+      return html`${compared}${this.messages()}${customElements.get('wg-embed') ? html`<wg-embed .editor=${editor}></wg-embed>` : nothing}`;
+    return html`${compared}
       <header class="top"><wg-top .editor=${editor}></wg-top></header>
       ${this.session.narrow ? html`<wg-sheet .editor=${editor}></wg-sheet>` : this.wide()}
       ${this.messages()}${this.hint()}

@@ -1,5 +1,6 @@
 import { html, type TemplateResult } from 'lit';
 import { embedWords } from '../words/embed.ts';
+import './compare-layer.ts';
 import { icon } from './icons.ts';
 import { Part } from './panel.ts';
 

@@ -1,5 +1,6 @@
 // The panels at the sides, or in the sheet: they come when the first tree stands, so that it moves sooner.
 import '../studio/drawer.ts';
+import './compare-layer.ts';
 import './grow-panel.ts';
 import './scene-panel.ts';
 import './statistics.ts';
