@@ -13,6 +13,16 @@ const APART = /^(?:e2e|docs)\//;
 /** Where a page asks for all pages, one below the other. */
 const ALL = '<wg-pages></wg-pages>';
 
+/** Where a page that is shown at addresses of any depth asks for its style and its script, which stand in it. */
+const STRAY = /<wg-stray part="(style|script)"><\/wg-stray>/g;
+
+const textOf = (file: string): string => readFileSync(resolve(import.meta.dirname, '../src/site', file), 'utf8');
+
+const stray = (part: string): string =>
+  part === 'style'
+    ? `<style>\n${textOf('tokens.css')}${textOf('stray.css')}</style>`
+    : `<script>\n${textOf('stray.js')}</script>`;
+
 const escaped = (text: string): string =>
   text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
 
@@ -68,7 +78,8 @@ export function site(): Plugin[] {
           const depth = fileOf(path).split('/').length - 1;
           return html
             .replace(PLACE, (_, current: string | undefined) => navigation(current ?? '', depth))
-            .replace(ALL, allPages);
+            .replace(ALL, allPages)
+            .replace(STRAY, (_, part: string) => stray(part));
         },
       },
     },

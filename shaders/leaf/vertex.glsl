@@ -54,6 +54,9 @@ bool leafShown(vec3 centre) {
   vec4 seen = modelViewMatrix * vec4(centre, 1.0);
   // A leaf and its stalk, leant over, as a ball; a little more room than it needs at the sides of the view.
   float reach = 1.6 * max(leafSize.x, leafSize.y) * length(modelViewMatrix[0].xyz);
+#if defined(GROVE) && !defined(LEAF_ORGAN)
+  reach *= treeTexel(TREE_CROWN).w;
+#endif
   vec4 at = projectionMatrix * seen;
   vec2 room = at.w + reach + reach * vec2(projectionMatrix[0][0], projectionMatrix[1][1]);
   return -seen.z >= leafCut.x && -seen.z < leafCut.y && all(lessThan(abs(at.xy), room));

@@ -134,7 +134,7 @@ export interface LeafSeen {
 
 /** The depth, in units of the camera's space, up to which leaves are drawn in their finest form; 0 where none is. */
 export function nearDepth({ length, triangles, scale, perspective }: LeafSeen, detail: Detail): number {
-  if (detail === 'low') return 0;
+  if (nearMost(triangles, detail) === 0) return 0;
   const depth = (length * scale) / leastLength('near', triangles, detail);
   if (perspective) return depth;
   return depth >= 1 ? Number.POSITIVE_INFINITY : 0;

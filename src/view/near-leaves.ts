@@ -4,11 +4,17 @@ import { BUNDLE } from './branch-geometry.ts';
 /** Texels in a row of the list; shaders/leaf/vertex.glsl reads it by the same number. */
 const ROW = 256;
 
-/** Part of the depth, and of the room that leaves have to move in, that a camera may go before the list is made anew. */
+/** Part of the room that leaves have to move in that a camera may go before the list is made anew. */
 const STRAY = 0.25;
-/** Cosine of the angle that it may turn, and what that adds to the slope of the sides of its view. */
+/** Cosine of the angle that it may turn, and what that adds to the slope of the sides of its view and to the depth. */
 const TURN = Math.cos((2.5 * Math.PI) / 180);
 const WIDER = 0.1;
+const DEEPER = 0.06;
+/** Part of the depth that may have changed. */
+const CHANGED = 0.02;
+
+/** Metres that a leaf may be beside the place where it hangs at rest, as seen from where the camera may have gone since. */
+const roomOf = (slack: number): number => (1 + 2 * STRAY) * slack;
 
 /** What is to be found. */
 export interface NearWish {
@@ -37,6 +43,7 @@ export class NearLeaves {
   readonly #view = new Matrix4();
   readonly #lastEye = new Vector3();
   readonly #lastForward = new Vector3();
+  readonly #sides = new Vector2();
 
   /** How many the list holds. */
   get count(): number {
@@ -45,7 +52,8 @@ export class NearLeaves {
 
   /** Finds them, unless those of last time do; returns the depth up to which they are: less than was wished where there were too many. */
   find(wish: NearWish, camera: Camera, matrixWorld: Matrix4): number {
-    const scale = matrixWorld.getMaxScaleOnAxis();
+    const { elements } = camera.projectionMatrix;
+    const [right, up] = [elements[0]!, elements[5]!];
     this.#view.copy(matrixWorld).invert().multiply(camera.matrixWorld);
     this.#eye.setFromMatrixPosition(this.#view);
     this.#forward.setFromMatrixColumn(this.#view, 2).normalize().negate();
@@ -54,22 +62,21 @@ export class NearLeaves {
       last !== null &&
       last.points === wish.points &&
       last.count === wish.count &&
-      Math.abs(last.depth - wish.depth) <= 0.02 * wish.depth &&
+      (last.depth === wish.depth || Math.abs(last.depth - wish.depth) <= CHANGED * wish.depth) &&
+      this.#sides.x === right &&
+      this.#sides.y === up &&
       this.#eye.distanceTo(this.#lastEye) <= STRAY * wish.slack &&
       this.#forward.dot(this.#lastForward) >= TURN;
     if (stays) return this.#depth;
     this.#wish = wish;
     this.#lastEye.copy(this.#eye);
     this.#lastForward.copy(this.#forward);
-    let { depth } = wish;
-    let found = this.#within(wish, depth / scale, camera);
-    while (found.length > wish.most) {
-      depth = Number.isFinite(depth) ? 0.85 * depth : 0;
-      found = this.#within(wish, depth / scale, camera);
-    }
+    this.#sides.set(right, up);
+    const scale = matrixWorld.getMaxScaleOnAxis();
+    const found = this.#within(wish, wish.depth / scale, Math.hypot(1 / right, 1 / up), elements[15] !== 1);
+    this.#depth = found.length > wish.most ? scale * this.#keepNearest(found, wish) : wish.depth;
     this.#store(found);
-    this.#depth = depth;
-    return depth;
+    return this.#depth;
   }
 
   dispose(): void {
@@ -79,26 +86,37 @@ export class NearLeaves {
     this.#count = 0;
   }
 
-  /** Places of the leaves that may be seen up to a depth, in the space of the tree, wherever the wind has them. */
-  #within({ points, count, slack }: NearWish, depth: number, camera: Camera): number[] {
+  /** Places of the leaves that may be seen up to a depth, in the space of the tree, wherever the wind has them; `half`: slope, or place, of the view's corners. */
+  #within({ points, count, slack }: NearWish, depth: number, half: number, perspective: boolean): number[] {
     const found: number[] = [];
-    if (depth === 0) return found;
-    const { elements } = camera.projectionMatrix;
-    const half = Math.hypot(1 / elements[0]!, 1 / elements[5]!);
-    const perspective = elements[15] !== 1;
-    const room = (1 + 2 * STRAY) * slack + (Number.isFinite(depth) ? 0.06 * depth : 0);
+    const room = roomOf(slack);
+    const farthest = (1 + DEEPER) * depth + room;
     const { x, y, z } = this.#eye;
-    const { x: fx, y: fy, z: fz } = this.#forward;
     for (let i = 0; i < count; i++) {
+      const along = this.#along(points, i);
+      if (along > farthest || along < -room) continue;
       const dx = points[3 * i]! - x;
       const dy = points[3 * i + 1]! - y;
       const dz = points[3 * i + 2]! - z;
-      const along = dx * fx + dy * fy + dz * fz;
-      if (along > depth + room || along < -room) continue;
-      const reach = perspective ? Math.max(0, along) * (half + WIDER) + room : half + room;
+      const reach = room + (perspective ? Math.max(0, along) * (half + WIDER) : half);
       if (dx * dx + dy * dy + dz * dz - along * along <= reach * reach) found.push(i);
     }
     return found;
+  }
+
+  /** Leaves out what is farthest; returns the depth up to which all are left, in the space of the tree: 0 where that is none. */
+  #keepNearest(found: number[], { points, most, slack }: NearWish): number {
+    found.sort((i, j) => this.#along(points, i) - this.#along(points, j));
+    const depth = (this.#along(points, found[most]!) - roomOf(slack)) / (1 + DEEPER);
+    found.length = depth > 0 ? most : 0;
+    return Math.max(0, depth);
+  }
+
+  /** Metres from the eye to a leaf along the middle of the view. */
+  #along(points: Float32Array, i: number): number {
+    const { x, y, z } = this.#eye;
+    const { x: fx, y: fy, z: fz } = this.#forward;
+    return (points[3 * i]! - x) * fx + (points[3 * i + 1]! - y) * fy + (points[3 * i + 2]! - z) * fz;
   }
 
   #store(places: readonly number[]): void {

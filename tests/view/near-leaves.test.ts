@@ -1,4 +1,4 @@
-import { Matrix4, PerspectiveCamera, Vector3 } from 'three';
+import { Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { NearLeaves, type NearWish } from '../../src/view/near-leaves.ts';
 
@@ -53,5 +53,38 @@ describe('leaves near by', () => {
     const near = new NearLeaves();
     near.find(wish, camera(), new Matrix4().makeScale(2, 2, 2));
     expect(Math.max(...listed(near))).toBeLessThan(10);
+  });
+
+  it('are found again where the view becomes wider', () => {
+    const beside: NearWish = { ...wish, points: Float32Array.of(0, 3, 0, 4, 3, 0), count: 2, slack: 0.1 };
+    const near = new NearLeaves();
+    near.find(beside, camera(), new Matrix4());
+    expect(listed(near)).toEqual([0]);
+    const wide = camera();
+    wide.aspect = 8;
+    wide.updateProjectionMatrix();
+    near.find(beside, wide, new Matrix4());
+    expect(listed(near)).toEqual([0, 1]);
+  });
+
+  it('stay listed while a camera without perspective stands, which sees them at any depth', () => {
+    const eye = new OrthographicCamera(-2, 2, 2, -2, 0.1, 100);
+    eye.up.set(0, 0, 1);
+    eye.lookAt(new Vector3(0, 1, 0));
+    eye.updateMatrixWorld();
+    const near = new NearLeaves();
+    const any = { ...wish, depth: Number.POSITIVE_INFINITY };
+    expect(near.find(any, eye, new Matrix4())).toBe(Number.POSITIVE_INFINITY);
+    expect(near.count).toBe(100);
+    const texture = near.uniforms.leafPlaces.value!;
+    const { version } = texture;
+    near.find(any, eye, new Matrix4());
+    expect(texture.version).toBe(version);
+  });
+
+  it.each([0, 3])('are none where more than the %i that may be hang within the room that wind takes', (most) => {
+    const near = new NearLeaves();
+    expect(near.find({ ...wish, slack: 20, most }, camera(), new Matrix4())).toBe(0);
+    expect(near.count).toBe(0);
   });
 });
