@@ -28,13 +28,15 @@ export default defineConfig({
   testMatch: '**/*.spec.ts',
   globalTeardown: './e2e/clean-up.ts',
   outputDir: 'test-results',
-  // Software GL spreads over both cores: a second worker would only make every picture slower.
-  workers: 1,
+  // Software GL compiles a page's shaders on one thread, which is most of what a page costs: two browsers keep two cores busy. No more
+  // where there are more cores: each picture is drawn by all of them.
+  workers: 2,
   retries: 0,
   forbidOnly: Boolean(process.env.CI),
-  timeout: 120_000,
+  // So long that only what hangs ends so, on a slow machine too: the dearest test takes half a minute where nothing else runs.
+  timeout: 240_000,
   globalTimeout: 25 * 60_000,
-  expect: { timeout: 30_000 },
+  expect: { timeout: 60_000 },
   reporter: 'list',
   use: {
     baseURL: given ?? `http://127.0.0.1:${port}/`,

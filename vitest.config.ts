@@ -15,5 +15,7 @@ export default defineConfig({
     testTimeout: 60_000,
     hookTimeout: 60_000,
     retry: 0,
+    // By itself it leaves one core alone, which is half of a machine of two.
+    maxWorkers: '100%',
   },
 });

@@ -5,6 +5,7 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { cpus, totalmem } from 'node:os';
 import { join } from 'node:path';
+import { parseArgs } from 'node:util';
 import { type Browser, chromium } from '@playwright/test';
 import { createServer } from 'vite';
 import { browserArgs, findBrowser } from '../e2e/browser.mjs';
@@ -12,7 +13,6 @@ import { type BenchReport, type FailedReport, sectionText, withSection } from '.
 import { type WindTimings, windReport } from './wind-tables.ts';
 
 const root = join(import.meta.dirname, '..');
-const results = join(import.meta.dirname, 'results.md');
 
 /** The benches: scripts for Node and pages for the browser, in the order of the report. */
 const benches: readonly { name: string; file: string; query?: string }[] = [
@@ -24,8 +24,31 @@ const benches: readonly { name: string; file: string; query?: string }[] = [
   { name: 'deform', file: 'deform.html' },
   { name: 'edit', file: 'edit.html' },
   { name: 'compare', file: 'compare-ez-tree.html', query: '?measure' },
-  { name: 'forest', file: '../bench.html', query: '?run&rounds=3&ms=200' },
+  // Each part of the page by itself: a part that is run again replaces its own section.
+  ...['one', 'hundred', 'far', 'classes', 'count', 'papers'].map((part) => ({
+    name: `forest-${part}`,
+    file: '../bench.html',
+    query: `?run&only=${part}`,
+  })),
 ];
+
+/** Sizes that the parts of the forest's page take: `--rounds 1 --ms 50 --trees 20 --counts 1,10`. */
+const { values: sizes, positionals } = parseArgs({
+  allowPositionals: true,
+  options: {
+    rounds: { type: 'string', default: '3' },
+    ms: { type: 'string', default: '200' },
+    trees: { type: 'string', default: '100' },
+    counts: { type: 'string', default: '1,10,100,1000,10000' },
+    out: { type: 'string', default: 'results.md' },
+  },
+});
+
+/** What a page of the forest is asked for besides. */
+const sizesOf = (name: string): string => {
+  const { rounds, ms, trees, counts } = sizes;
+  return name.startsWith('forest-') ? `&rounds=${rounds}&ms=${ms}&trees=${trees}&counts=${counts}` : '';
+};
 
 const head = `# Results
 
@@ -76,7 +99,11 @@ async function runPage(browser: Browser, url: string): Promise<BenchReport | Fai
   }
 }
 
-const asked = process.argv.slice(2);
+const results = join(import.meta.dirname, sizes.out);
+/** The benches by name; `forest` is all parts of its page. */
+const asked = positionals.flatMap((name) =>
+  name === 'forest' ? benches.map((each) => each.name).filter((each) => each.startsWith('forest-')) : [name],
+);
 const known = benches.map(({ name }) => name);
 const unknown = asked.filter((name) => !known.includes(name));
 if (unknown.length > 0) throw new Error(`No bench named ${unknown.join(', ')}; there are ${known.join(', ')}.`);
@@ -110,7 +137,7 @@ try {
     console.log(`${name} ...`);
     const isPage = file.endsWith('.html');
     const report = await (isPage
-      ? runPage(browser, new URL(file + query, `http://127.0.0.1:${port}/bench/`).href)
+      ? runPage(browser, new URL(file + query + sizesOf(name), `http://127.0.0.1:${port}/bench/`).href)
       : runScript(join('bench', file))
     ).catch((error: unknown): FailedReport => ({ error: String(error) }));
     if ('error' in report) {
@@ -125,5 +152,5 @@ try {
   await browser.close();
   await server.close();
 }
-console.log(failures > 0 ? `${failures} failed` : 'written to bench/results.md');
+console.log(failures > 0 ? `${failures} failed` : `written to bench/${sizes.out}`);
 process.exitCode = failures > 0 ? 1 : 0;

@@ -1,4 +1,5 @@
 import type { Plugin } from 'vite';
+import { minifiedGlsl } from './glsl-minify.ts';
 
 /** A line that asks for another shader, by its path from the top of the repository's shaders/; three's own have angle brackets. */
 const INCLUDE = /^[ \t]*#include[ \t]+(\/[\w/.-]+\.(?:glsl|vert|frag))[ \t]*;?[ \t]*$/;
@@ -12,9 +13,14 @@ const withoutComments = (text: string): string => text.replace(/\/\*[\s\S]*?\*\/
  * before the first tree. Every file guards itself, so that a text that comes twice is no mistake.
  */
 export function shaders(): Plugin {
+  let small = false;
   return {
     name: 'windgrove:shaders',
     enforce: 'pre',
+    configResolved({ command }) {
+      // While it is worked on, a compiler's complaint should name a line that can be found.
+      small = command === 'build';
+    },
     transform: {
       filter: { id: /\.(glsl|vert|frag)$/ },
       handler(code) {
@@ -25,7 +31,8 @@ export function shaders(): Plugin {
           if (text.length > 0) parts.push(JSON.stringify(`${text.join('\n')}\n`));
           text = [];
         };
-        for (const line of withoutComments(code).split('\n')) {
+        const plain = withoutComments(code);
+        for (const line of (small ? minifiedGlsl(plain) : plain).split('\n')) {
           const path = INCLUDE.exec(line)?.[1];
           if (path) {
             close();

@@ -1,10 +1,10 @@
 import { readFileSync } from 'node:fs';
 import type { ServerResponse } from 'node:http';
 import { createRequire } from 'node:module';
-import { basename, resolve } from 'node:path';
+import { resolve } from 'node:path';
 import type { Plugin } from 'vite';
-import { LESSONS, neighbours } from '../src/learn/lessons.ts';
 import { codeHtml, linesOf, sourceText } from './learn-source.ts';
+import { lessonCards, lessonPage } from './lesson-page.ts';
 import { navigation } from './site.ts';
 
 /** A page of a whole file stands here, below the top of the site. */
@@ -23,26 +23,7 @@ async function replaced(
   return text.replace(pattern, () => parts.shift() ?? '');
 }
 
-/** Above the heading of a lesson: which one it is, and what it is read beside. */
-function kicker(slug: string): string {
-  const lesson = LESSONS.find((each) => each.slug === slug);
-  return lesson ? `<p class="kicker">Lesson ${lesson.number} · ${lesson.papers.replaceAll('&', '&amp;')}</p>` : '';
-}
-
-function lessonNav(slug: string): string {
-  const { before, after } = neighbours(slug);
-  const link = (lesson: typeof before, name: string, text: string): string =>
-    lesson ? `<a class="${name}" href="./${lesson.slug}.html">${text} ${lesson.number} · ${lesson.title}</a>` : '';
-  return `<nav class="lesson-nav" aria-label="Lessons">${link(before, 'before', 'Before:')}<a class="all" href="./index.html">All lessons</a>${link(after, 'after', 'Next:')}</nav>`;
-}
-
-const lessonCards = (): string =>
-  `<ol class="cards">${LESSONS.map(
-    ({ slug, number, title, about, papers }) =>
-      `<li><a href="./${slug}.html"><span class="number">${number}</span><span class="what"><strong>${title}</strong><span>${about}</span><small>${papers.replaceAll('&', '&amp;')}</small></span></a></li>`,
-  ).join('')}</ol>`;
-
-/** Writes a lesson's formulas, citations of source and navigation into its page; `cite` hears of every file that is cited. */
+/** Writes a lesson's formulas and citations of source, or the cards of all lessons, into its page; `cite` hears of every file that is cited. */
 export async function lessonHtml(html: string, path: string, cite: (file: string) => void = () => {}): Promise<string> {
   const up = '../'.repeat(path.replace(/^\//, '').split('/').length - 1) || './';
   let out = html;
@@ -64,9 +45,7 @@ export async function lessonHtml(html: string, path: string, cite: (file: string
     const where = `${up}source/${file}.html#L${lines.from}`;
     return `<div class="source-lines"><p><span><code>${name}</code></span><a href="${where}">${file}, lines ${lines.from} to ${lines.to}</a></p><pre class="source" tabindex="0" role="group" aria-label="Source of ${name}">${codeHtml(source, lines)}</pre></div>`;
   });
-  out = out.replace('<h1>', `${kicker(basename(path, '.html'))}<h1>`);
-  out = out.replace(/<lesson-cards>\s*<\/lesson-cards>/, lessonCards);
-  return out.replace(/<lesson-nav>\s*<\/lesson-nav>/, () => lessonNav(basename(path, '.html')));
+  return out.replace(/<lesson-cards>\s*<\/lesson-cards>/, lessonCards);
 }
 
 /** The page of a whole file of source, each line with an anchor. Throws where there is no such file. */
@@ -111,7 +90,7 @@ function answer(response: ServerResponse, file: string): void {
   }
 }
 
-/** Lessons: formulas, cited source and the way from one to the next are written when the site is built. */
+/** Lessons: what stands around their text, formulas, cited source and the way from one to the next are written when the site is built. */
 export function learn(): Plugin {
   const cited = new Set<string>();
   return {
@@ -126,7 +105,7 @@ export function learn(): Plugin {
       async handler(html, { path }) {
         if (!/^\/?learn\//.test(path)) return html;
         try {
-          return await lessonHtml(html, path, (file) => cited.add(file));
+          return await lessonHtml(lessonPage(html, path), path, (file) => cited.add(file));
         } catch (error) {
           throw new Error(`${path}: ${error instanceof Error ? error.message : String(error)}`);
         }

@@ -99,8 +99,11 @@ test('keys undo, redo and open what the table says; a text box keeps its own', a
   await expect(page.getByRole('searchbox')).toHaveValue('d');
 });
 
-test('the tour is offered once, goes by keyboard, and comes again from the help', async ({ page }) => {
-  await open(page, BARE);
+test('the tour is offered once, goes by keyboard, and comes again from the help; the panel is as wide as it is pulled', async ({
+  page,
+}) => {
+  await open(page, `${BARE}&theme=dark`);
+  await expect(page.locator('html')).toHaveAttribute('data-theme', 'dark');
   await standing(page);
   await page.getByRole('region', { name: 'Hint' }).getByRole('button', { name: 'Show me around' }).click();
   const tour = page.getByRole('dialog');
@@ -118,10 +121,23 @@ test('the tour is offered once, goes by keyboard, and comes again from the help'
   await expect(tour).toBeHidden();
   await expect(page.getByRole('button', { name: 'Keys and help' })).toBeFocused();
 
+  const bar = (await page.getByRole('group', { name: 'Tree and view' }).boundingBox())!;
+  expect(bar.height).toBeLessThan(44);
+  expect(bar.x + bar.width).toBeLessThanOrEqual(1024);
+  const edge = page.getByRole('separator', { name: 'Width of this panel' });
+  const width = async (): Promise<number> => (await page.locator('.side.grow').boundingBox())!.width;
+  const before = await width();
+  await edge.press('ArrowRight');
+  await edge.press('ArrowRight');
+  expect(await width()).toBe(before + 32);
+
   await page.reload();
   await ready(page);
   await standing(page);
   await expect(page.getByRole('button', { name: 'Show me around' })).toBeHidden();
+  expect(await width()).toBe(before + 32);
+  await edge.dblclick();
+  expect(await width()).toBe(before);
   await page.keyboard.press('?');
   await page.getByRole('button', { name: 'Show me around' }).click();
   await expect(tour).toContainText('1 of 7');
@@ -143,25 +159,6 @@ test('in a frame of another page there is the picture, play, and where it comes 
   expect(await link.getAttribute('href')).toContain('seed=3');
   await page.keyboard.press('Control+k');
   await expect(page.getByRole('dialog')).toHaveCount(0);
-});
-
-test('the bar fits at 1024, and the panel is as wide as it is pulled', async ({ page }) => {
-  await open(page, BARE);
-  await standing(page);
-  const bar = (await page.getByRole('group', { name: 'Tree and view' }).boundingBox())!;
-  expect(bar.height).toBeLessThan(44);
-  expect(bar.x + bar.width).toBeLessThanOrEqual(1024);
-  const edge = page.getByRole('separator', { name: 'Width of this panel' });
-  const width = async (): Promise<number> => (await page.locator('.side.grow').boundingBox())!.width;
-  const before = await width();
-  await edge.press('ArrowRight');
-  await edge.press('ArrowRight');
-  expect(await width()).toBe(before + 32);
-  await page.reload();
-  await ready(page);
-  expect(await width()).toBe(before + 32);
-  await edge.dblclick();
-  expect(await width()).toBe(before);
 });
 
 test.describe('on a phone', () => {

@@ -1,6 +1,6 @@
 import { createRequire } from 'node:module';
 import { expect, type Page, test } from '@playwright/test';
-import { BARE, open, settled, state } from './editor-page.ts';
+import { BARE, inBothThemes, open, settled, state } from './editor-page.ts';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 
@@ -15,37 +15,32 @@ async function faults(page: Page): Promise<string[]> {
   });
 }
 
-for (const theme of ['light', 'dark'] as const) {
-  test(`axe finds nothing in the ${theme} theme, folds and help open`, async ({ page }) => {
-    await page.setViewportSize({ width: 1024, height: 640 });
-    await open(page, `${BARE}&theme=${theme}&seed=-1`);
-    await page.getByText('Statistics').click();
-    for (const part of [
-      'Wizard',
-      'Gusts',
-      'Branches answer',
-      'Level by level',
-      'Air and paper',
-      'Copy, paste, files',
-    ]) {
-      await page.getByText(part, { exact: true }).click();
-    }
-    await page.getByRole('button', { name: 'Wave 1: all settings' }).click();
-    await page.getByRole('button', { name: 'Throw a gust' }).first().click();
-    await page.getByRole('checkbox', { name: 'Limbs: frequency of its own' }).check();
-    await page.getByRole('radio', { name: 'Logarithmic' }).check();
-    await page.evaluate(() => {
-      location.hash += '&compare=split,0.5';
-    });
-    await expect(page.getByRole('slider', { name: 'Line between A and B' })).toBeVisible();
-    expect(await faults(page)).toEqual([]);
-    await page.keyboard.press('?');
-    await expect(page.getByRole('dialog')).toBeVisible();
-    expect(await faults(page)).toEqual([]);
-    await page.keyboard.press('Escape');
-    await expect(page.getByRole('dialog')).toBeHidden();
+/** Expects axe to find nothing in the page as it is, in either theme. */
+const faultless = (page: Page, where: string): Promise<void> =>
+  inBothThemes(page, async (theme) => expect(await faults(page), `${where}, ${theme}`).toEqual([]));
+
+test('axe finds nothing in both themes, folds and help open', async ({ page }) => {
+  await page.setViewportSize({ width: 1024, height: 640 });
+  await open(page, `${BARE}&seed=-1`);
+  await page.getByText('Statistics').click();
+  for (const part of ['Wizard', 'Gusts', 'Branches answer', 'Level by level', 'Air and paper', 'Copy, paste, files']) {
+    await page.getByText(part, { exact: true }).click();
+  }
+  await page.getByRole('button', { name: 'Wave 1: all settings' }).click();
+  await page.getByRole('button', { name: 'Throw a gust' }).first().click();
+  await page.getByRole('checkbox', { name: 'Limbs: frequency of its own' }).check();
+  await page.getByRole('radio', { name: 'Logarithmic' }).check();
+  await page.evaluate(() => {
+    location.hash += '&compare=split,0.5';
   });
-}
+  await expect(page.getByRole('slider', { name: 'Line between A and B' })).toBeVisible();
+  await faultless(page, 'folds');
+  await page.keyboard.press('?');
+  await expect(page.getByRole('dialog')).toBeVisible();
+  await faultless(page, 'help');
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('dialog')).toBeHidden();
+});
 
 for (const theme of ['light', 'dark'] as const) {
   test(`axe finds nothing in the dialogs, the menus and the tour, ${theme}`, async ({ page }) => {

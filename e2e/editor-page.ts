@@ -31,6 +31,19 @@ export const settled = (page: Page): Promise<void> => page.evaluate(() => window
 
 export const state = (page: Page) => page.evaluate(() => window.windgrove!.state());
 
+/** Runs a check in the light theme and in the dark one, once nothing fades any more; the page must follow the system. */
+export async function inBothThemes(page: Page, check: (theme: string) => Promise<void>): Promise<void> {
+  const themes = ['light', 'dark'] as const;
+  // The one that there is comes first: with each change the meadow has another time of day.
+  const dark = (await page.locator('html').getAttribute('data-theme')) === 'dark';
+  for (const theme of dark ? themes.toReversed() : themes) {
+    await page.emulateMedia({ colorScheme: theme });
+    await expect(page.locator('html')).toHaveAttribute('data-theme', theme);
+    await page.evaluate(() => Promise.allSettled(document.getAnimations().map((a) => a.finished)));
+    await check(theme);
+  }
+}
+
 /** Tips of all pieces as drawn, 3 a piece. */
 export const tips = (page: Page): Promise<number[]> => page.evaluate(() => window.windgrove!.tips());
 

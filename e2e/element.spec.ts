@@ -148,6 +148,31 @@ test('shows a tree from poster to picture, is turned by keys, held still, surviv
   expect(away.freed).toBeGreaterThan(5);
   expect(away.colours).toBeGreaterThan(500);
 
+  // What is loaded when it is asked for: views for those who look inside, what twigs bear in spring, and answers to rays.
+  const later = await page.evaluate(async () => {
+    const { picture } = window.elements;
+    const tree = document.querySelector('#a') as HTMLElementTagNameMap['wind-tree'];
+    const first = picture(tree);
+    const seen = new Set([first]);
+    const until = async (there: () => boolean): Promise<void> => {
+      while (!there()) await new Promise(requestAnimationFrame);
+    };
+    for (const debug of ['state', 'field', 'skeleton'] as const) {
+      tree.debug = debug;
+      await until(() => !seen.has(picture(tree)));
+      seen.add(picture(tree));
+    }
+    tree.debug = 'none';
+    await until(() => picture(tree) === first);
+    const { triangles } = tree.stats;
+    tree.season = 'spring';
+    await until(() => tree.stats.triangles !== triangles);
+    tree.season = 'summer';
+    await until(() => tree.stats.triangles === triangles);
+    return { hour: tree.hour, capable: tree.capabilities?.degradation };
+  });
+  expect(later).toEqual({ hour: null, capable: 'none' });
+
   // The context goes and comes back: the picture stands meanwhile, and goes on.
   const lost = await page.evaluate(async () => {
     const { next, picture, colours, renderer } = window.elements;

@@ -3,7 +3,7 @@ import { createRequire } from 'node:module';
 import { expect, type Page, test } from '@playwright/test';
 import { unzipSync } from 'fflate';
 import { ALL_FORMATS, BufferSource, Input } from 'mediabunny';
-import { BARE, open, ready } from './editor-page.ts';
+import { BARE, inBothThemes, open, ready } from './editor-page.ts';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 
@@ -119,7 +119,9 @@ test('skeleton, triangles as text, channels for an engine; what was chosen stays
   await expect(page.getByRole('combobox', { name: 'Channels for' })).toHaveValue('unreal');
 });
 
-test('a picture of any size, transparent: the corner is clear and the tree is there', async ({ page }) => {
+test('a picture of any size, transparent: the corner is clear and the tree is there; too large is refused with the most that can be', async ({
+  page,
+}) => {
   await open(page, BARE);
   await openDialog(page);
   await page.getByRole('radio', { name: 'Picture PNG' }).check();
@@ -135,6 +137,10 @@ test('a picture of any size, transparent: the corner is clear and the tree is th
   await page.getByRole('checkbox', { name: 'Transparent' }).uncheck();
   const full = await pixels(page, (await take(page, 'Export picture')).bytes);
   expect(full).toMatchObject({ corner: 255, opaque: 640 * 400 });
+  await fill(page, 'Width', '16384');
+  await fill(page, 'Height', '16384');
+  await page.getByRole('button', { name: 'Export picture' }).click();
+  await expect(dialog(page).getByRole('status')).toContainText(/at most \d+ pixels/);
 });
 
 /** A film of a few small frames. */
@@ -146,7 +152,9 @@ async function shortFilm(page: Page, kind: string, frames: number): Promise<void
   await fill(page, 'Length', String(frames / 10));
 }
 
-test('a sequence: one picture a frame, each another', async ({ page }) => {
+test('a sequence: one picture a frame, each another; cancelled: nothing is saved, and the next export works', async ({
+  page,
+}) => {
   await open(page, BARE);
   await openDialog(page);
   await shortFilm(page, 'Image sequence', 3);
@@ -158,6 +166,18 @@ test('a sequence: one picture a frame, each another', async ({ page }) => {
   expect(names).toEqual(['0001', '0002', '0003'].map((n) => `quaking-aspen-3-${n}.png`));
   expect(new Set(names.map((n) => Buffer.from(entries[n]!).toString('base64'))).size).toBe(3);
   expect((await pixels(page, entries[names[0]!]!)).width).toBe(160);
+
+  await fill(page, 'Length', '100');
+  let downloads = 0;
+  page.on('download', () => downloads++);
+  await page.getByRole('button', { name: 'Export sequence' }).click();
+  await expect(dialog(page).getByRole('status')).toContainText(/Frame [1-9]\d* of 1000/);
+  await expect(page.getByRole('button', { name: 'Cancel' })).toBeFocused();
+  await page.keyboard.press('Enter');
+  await expect(dialog(page).getByRole('status')).toHaveText('Cancelled. Nothing was saved.');
+  expect(downloads).toBe(0);
+  await fill(page, 'Length', '0.1');
+  await take(page, 'Export sequence');
 });
 
 test('a video where this browser encodes one, with every frame and its length; else words that say so', async ({
@@ -191,46 +211,20 @@ test('a video where this browser encodes one, with every frame and its length; e
   await expect(page.getByRole('radio', { name: 'Image sequence' })).toBeChecked();
 });
 
-test('cancel: nothing is saved, and the next export works', async ({ page }) => {
-  await open(page, BARE);
+test('axe finds nothing in both themes', async ({ page }) => {
+  await open(page, SMALL);
+  await page.addScriptTag({ path: axe });
   await openDialog(page);
-  await shortFilm(page, 'Image sequence', 1000);
-  let downloads = 0;
-  page.on('download', () => downloads++);
-  await page.getByRole('button', { name: 'Export sequence' }).click();
-  await expect(dialog(page).getByRole('status')).toContainText(/Frame [1-9]\d* of 1000/);
-  await expect(page.getByRole('button', { name: 'Cancel' })).toBeFocused();
-  await page.keyboard.press('Enter');
-  await expect(dialog(page).getByRole('status')).toHaveText('Cancelled. Nothing was saved.');
-  expect(downloads).toBe(0);
-  await fill(page, 'Length', '0.1');
-  await take(page, 'Export sequence');
-});
-
-test('a picture that is too large is refused with the most that can be', async ({ page }) => {
-  await open(page, BARE);
-  await openDialog(page);
-  await page.getByRole('radio', { name: 'Picture PNG' }).check();
-  await fill(page, 'Width', '16384');
-  await fill(page, 'Height', '16384');
-  await page.getByRole('button', { name: 'Export picture' }).click();
-  await expect(dialog(page).getByRole('status')).toContainText(/at most \d+ pixels/);
-});
-
-for (const theme of ['light', 'dark'] as const) {
-  test(`axe finds nothing in the ${theme} theme`, async ({ page }) => {
-    await open(page, `${SMALL}&theme=${theme}`);
-    await page.addScriptTag({ path: axe });
-    await openDialog(page);
-    for (const kind of ['3D model GLB', 'For game engines', 'Video']) {
-      await page.getByRole('radio', { name: kind }).check();
+  for (const kind of ['3D model GLB', 'For game engines', 'Video']) {
+    await page.getByRole('radio', { name: kind }).check();
+    await inBothThemes(page, async (theme) => {
       const faults = await page.evaluate(async () => {
         const { axe } = window as unknown as {
           axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
         };
         return (await axe.run()).violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html).join(' | ')}`);
       });
-      expect(faults, kind).toEqual([]);
-    }
-  });
-}
+      expect(faults, `${kind}, ${theme}`).toEqual([]);
+    });
+  }
+});

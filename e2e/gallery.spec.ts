@@ -77,7 +77,7 @@ test('a portrait moves under the pointer, and the tree behind waits; closing lea
   const cactus = card(page, /Saguaro/);
   await cactus.hover();
   const canvas = cactus.locator('canvas[data-live]');
-  await expect(canvas).toBeVisible({ timeout: 30_000 });
+  await expect(canvas).toBeVisible({ timeout: 60_000 });
   const pixels = (): Promise<string> => canvas.evaluate((each: HTMLCanvasElement) => each.toDataURL());
   const first = await pixels();
   await expect.poll(pixels).not.toBe(first);

@@ -6,7 +6,7 @@ const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 test.use({ viewport: { width: 1000, height: 700 } });
 
 const ready = (page: Page) =>
-  page.waitForFunction(() => document.documentElement.dataset.ready === 'true', null, { timeout: 30_000 });
+  page.waitForFunction(() => document.documentElement.dataset.ready === 'true', null, { timeout: 60_000 });
 
 const complaints = async (page: Page): Promise<string[]> =>
   page.evaluate(async () => {

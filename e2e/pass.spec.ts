@@ -1,4 +1,4 @@
-import { expect, type Page, test } from '@playwright/test';
+import { expect, test } from '@playwright/test';
 import { address, BARE, difference, open, picture, ready, settled, tips } from './editor-page.ts';
 
 test.use({ viewport: { width: 640, height: 400 } });
@@ -6,33 +6,31 @@ test.use({ viewport: { width: 640, height: 400 } });
 /** The aspen's branches in a wind that has moved them, time standing still. */
 const LINK = `${BARE}&wind=fresh-breeze`;
 
-/** Loses the context of the picture and gives it back, as a driver that was reset does. */
-const loseContext = (page: Page): Promise<void> =>
-  page.evaluate(async () => {
-    const canvas = document.querySelector('canvas')!;
-    const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
-    const event = (name: string) =>
-      new Promise<void>((resolve) => canvas.addEventListener(name, () => setTimeout(resolve), { once: true }));
-    const lost = event('webglcontextlost');
-    extension.loseContext();
-    await lost;
-    const restored = event('webglcontextrestored');
-    extension.restoreContext();
-    await restored;
-  });
-
-test('after a lost and restored context the branches stand where they stood and look as they did', async ({ page }) => {
+test('a lost graphics card is told of; after it the branches stand where they stood and look as they did', async ({
+  page,
+}) => {
   const complaints = await open(page, LINK);
   await settled(page);
   const before = { tips: await tips(page), picture: await picture(page) };
-  await loseContext(page);
+  // As a driver that was reset does.
+  await page.evaluate(() => {
+    const card = document.querySelector('canvas')!.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
+    Object.assign(window, { card });
+    card.loseContext();
+  });
+  await expect(page.getByRole('alert')).toContainText('The graphics card was taken away');
+  await page.evaluate(() => (window as unknown as { card: WEBGL_lose_context }).card.restoreContext());
+  await expect(page.getByRole('alert')).toHaveText('');
   await settled(page);
   expect(await tips(page)).toEqual(before.tips);
   expect(await picture(page)).toBe(before.picture);
   expect(complaints).toEqual([]);
 });
 
-test('without float targets the CPU poses the same tree', async ({ page, browser }) => {
+test('without float targets the CPU poses and draws the same tree, and a message says so', async ({
+  page,
+  browser,
+}) => {
   await open(page, LINK);
   await settled(page);
   const gpu = await tips(page);
@@ -45,8 +43,10 @@ test('without float targets the CPU poses the same tree', async ({ page, browser
       return name === 'EXT_color_buffer_float' ? null : original.call(this, name);
     } as typeof gl.getExtension;
   });
-  await open(other, LINK);
+  const complaints = await open(other, LINK);
+  await expect(other.getByRole('alert')).toContainText('32-bit float textures; the wind is computed on the CPU');
   await settled(other);
+  const before = await picture(other);
   const cpu = await tips(other);
   expect(cpu.length).toBe(gpu.length);
   // The tree is some 13 m high: 2e-5 of it.
@@ -57,6 +57,8 @@ test('without float targets the CPU poses the same tree', async ({ page, browser
   await settled(other);
   const later = await tips(other);
   expect(Math.max(...later.map((value, i) => Math.abs(value - cpu[i])))).toBeGreaterThan(0.01);
+  expect((await difference(other, before, await picture(other))).pixels.length).toBeGreaterThan(100);
+  expect(complaints).toEqual([]);
   await other.close();
 });
 

@@ -4,7 +4,7 @@ import { expect, type Page, test } from '@playwright/test';
 test.use({ viewport: { width: 400, height: 500 } });
 
 const ready = (page: Page) =>
-  page.waitForFunction(() => document.documentElement.dataset.ready === 'true', null, { timeout: 30_000 });
+  page.waitForFunction(() => document.documentElement.dataset.ready === 'true', null, { timeout: 60_000 });
 
 /** The figures under the picture: triangles, lines, points. */
 const figures = async (page: Page): Promise<number[]> => {
@@ -12,7 +12,7 @@ const figures = async (page: Page): Promise<number[]> => {
   return texts.slice(0, 3).map((text) => Number(text.replaceAll(',', '')));
 };
 
-test('counts what it draws beside the printed table, follows the range, and keeps all of it in the address', async ({
+test('counts what it draws beside the printed table, follows the range, keeps it in the address, and says what is wrong there', async ({
   page,
 }) => {
   const complaints: string[] = [];
@@ -20,7 +20,12 @@ test('counts what it draws beside the printed table, follows the range, and keep
   page.on('console', (message) => {
     if (message.type() === 'error') complaints.push(message.text());
   });
-  await page.goto('range.html?wind=0&range=120');
+  await page.goto('range.html?wind=0&range=120&quality=7&seasn=winter');
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText('quality: found “7”; allowed: a number from 0.1 to 1.');
+  await expect(alert).toContainText('seasn: found “winter”; allowed: season, if that was meant.');
+  await alert.getByRole('button').click();
+  await expect(alert).toHaveCount(0);
   await ready(page);
   const row = (n: number) => page.locator('#table-2 tbody tr').nth(n).locator('.ours, .none').allTextContents();
   expect(await row(1)).toEqual(['0', '0', '0', '36', '36', '36', '36']);

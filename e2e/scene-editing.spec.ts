@@ -57,6 +57,12 @@ async function select(page: Page) {
   return { ...limb, handles };
 }
 
+/** Lets the limb go by a click on the sky. */
+async function letGo(page: Page): Promise<void> {
+  await page.mouse.click(0.66 * page.viewportSize()!.width, 96);
+  await settled(page);
+}
+
 /** Drags from one place to another, in steps as a hand does. */
 async function drag(page: Page, [x, y]: Point, [dx, dy]: Point): Promise<void> {
   await page.mouse.move(x, y);
@@ -73,7 +79,7 @@ async function missed(page: Page, kind: 'length' | 'curve' | 'down', [x, y]: Poi
   return Math.hypot(nowX - x, nowY - y);
 }
 
-test('names the stem under the mouse, selects it with a click, and lets it go with one on the sky', async ({
+test('names the stem under the mouse, selects it with a click, turns the camera meanwhile, and lets it go with one on the sky', async ({
   page,
 }) => {
   const complaints = await open(page, LIMBS);
@@ -85,14 +91,23 @@ test('names the stem under the mouse, selects it with a click, and lets it go wi
   await page.mouse.click(...at);
   await settled(page);
   expect(Object.keys((await onScreen(page)).handles).sort()).toContain('length');
-  const { width } = page.viewportSize()!;
-  await page.mouse.click(0.66 * width, 96);
-  await settled(page);
+  await letGo(page);
   expect((await onScreen(page)).handles).toEqual({});
+
+  // The camera turns where nothing is held, and what is selected stays so.
+  const { stem } = await select(page);
+  const before = (await state(page)).camera;
+  const { width, height } = page.viewportSize()!;
+  await drag(page, [0.66 * width, 0.7 * height], [-60, 0]);
+  await expect.poll(async () => (await state(page)).camera).not.toEqual(before);
+  expect((await state(page)).edits).toEqual(ASKED);
+  expect((await onScreen(page)).stems[0]).toBe(0);
+  expect(Object.keys((await onScreen(page)).handles)).toContain('length');
+  expect(stem).toBeGreaterThan(0);
   expect(complaints).toEqual([]);
 });
 
-test('makes all limbs longer and shorter by the handle at the tip, in one step of the history', async ({ page }) => {
+test('handles make all limbs longer, leave wider and bend, each in one step of the history', async ({ page }) => {
   await open(page, LIMBS);
   const { handles, stem } = await select(page);
   const tip = handles.length as Point;
@@ -111,50 +126,36 @@ test('makes all limbs longer and shorter by the handle at the tip, in one step o
   expect(longer / 0.3).toBeGreaterThan(1.3);
   expect(longer / 0.3).toBeLessThan(1.75);
   expect(await missed(page, 'length', [tip[0] + 0.5 * reach * way[0], tip[1] + 0.5 * reach * way[1]])).toBeLessThan(20);
-  await page.keyboard.press('Control+z');
-  await settled(page);
-  expect((await state(page)).edits).toEqual(ASKED);
-});
+  const back = async (): Promise<void> => {
+    await page.keyboard.press('Control+z');
+    await settled(page);
+    expect((await state(page)).edits).toEqual(ASKED);
+    await letGo(page);
+  };
+  await back();
 
-test('opens the down angle by the handle on the arc', async ({ page }) => {
-  await open(page, LIMBS);
-  const { handles } = await select(page);
-  const { down, length } = handles as Record<'down' | 'length', Point>;
+  // The down angle by the handle on the arc.
+  const { down, length } = (await select(page)).handles as Record<'down' | 'length', Point>;
   // Down, away from the trunk's top: the limb leaves at a wider angle.
   expect(length[1]).toBeLessThan(down[1] + 200);
   await drag(page, down, [0, 22]);
-  const { edits } = await state(page);
-  expect(Object.keys(edits)).toEqual(['tree.levels', 'levels.1.downAngle']);
-  const angle = edits['levels.1.downAngle'] as number;
+  const opened = (await state(page)).edits;
+  expect(Object.keys(opened)).toEqual(['tree.levels', 'levels.1.downAngle']);
+  const angle = opened['levels.1.downAngle'] as number;
   expect(angle).toBeGreaterThan(65);
   expect(angle).toBeLessThan(130);
   expect(await missed(page, 'down', [down[0], down[1] + 22])).toBeLessThan(12);
-});
+  await back();
 
-test('bends limbs by the handle in their middle', async ({ page }) => {
-  await open(page, LIMBS);
-  const { handles } = await select(page);
-  const curve = handles.curve as Point;
+  // The curve by the one in the middle.
+  const curve = (await select(page)).handles.curve as Point;
   expect(curve).toBeDefined();
   await drag(page, curve, [0, 24]);
-  const { edits } = await state(page);
-  expect(Object.keys(edits)).toEqual(['tree.levels', 'levels.1.curve']);
+  const bent = (await state(page)).edits;
+  expect(Object.keys(bent)).toEqual(['tree.levels', 'levels.1.curve']);
   // The aspen's limbs rise with a curve of -40 degrees.
-  expect(edits['levels.1.curve']).toBeGreaterThan(-30);
+  expect(bent['levels.1.curve']).toBeGreaterThan(-30);
   expect(await missed(page, 'curve', [curve[0], curve[1] + 24])).toBeLessThan(16);
-});
-
-test('still turns the camera where nothing is held, and keeps what is selected', async ({ page }) => {
-  await open(page, LIMBS);
-  const { stem } = await select(page);
-  const before = (await state(page)).camera;
-  const { width, height } = page.viewportSize()!;
-  await drag(page, [0.66 * width, 0.7 * height], [-60, 0]);
-  await expect.poll(async () => (await state(page)).camera).not.toEqual(before);
-  expect((await state(page)).edits).toEqual(ASKED);
-  expect((await onScreen(page)).stems[0]).toBe(0);
-  expect(Object.keys((await onScreen(page)).handles)).toContain('length');
-  expect(stem).toBeGreaterThan(0);
 });
 
 /** The editor's picture by itself. */

@@ -52,6 +52,19 @@ test('photo mode leaves the picture and a shutter, and gives the page back', asy
     return (await axe.run()).violations.map((v) => v.id);
   });
   expect(faults).toEqual([]);
+  // Exposure and lens show at once, and the page has them back as they were.
+  const plain = await picture(page);
+  for (const [name, value] of [
+    ['Exposure', '-2'],
+    ['Lens', '135'],
+  ] as const) {
+    await page.getByRole('spinbutton', { name }).fill(value);
+    await page.getByRole('spinbutton', { name }).press('Enter');
+  }
+  await expect(page.getByRole('slider', { name: 'Lens' })).toHaveAttribute('aria-valuetext', '135 mm');
+  await settled(page);
+  const { pixels } = await difference(page, plain, await picture(page));
+  expect(pixels.length / 2).toBeGreaterThan(100_000);
   const download = page.waitForEvent('download');
   await page.getByRole('button', { name: 'Take the picture' }).click();
   expect((await download).suggestedFilename()).toMatch(/^quaking-aspen-3-1600x1600\.png$/);

@@ -1,6 +1,6 @@
 import { createRequire } from 'node:module';
 import { expect, type Page, test } from '@playwright/test';
-import { BARE, open, ready, settled, state } from './editor-page.ts';
+import { BARE, inBothThemes, open, ready, settled, state } from './editor-page.ts';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 
@@ -165,32 +165,31 @@ test('the crown and the envelope are drawn as curves, by keyboard and by mouse',
   await settled(page);
 });
 
-for (const theme of ['light', 'dark'] as const) {
-  test(`axe finds nothing in the ${theme} theme, at 1280 and at 320 pixels`, async ({ page }) => {
-    await page.setViewportSize({ width: 1280, height: 720 });
-    await open(page, `${BARE}&theme=${theme}&levels.1.downAngle=80&tree.crown=0.5,0.8,0.2`);
-    for (const name of ['leaves', 'pruning', 'bark', 'foliage', 'wind', 'switches']) await section(page, name).click();
-    await expect(page.locator('.parameter').first()).toBeVisible();
-    expect(await faults(page)).toEqual([]);
-    await page.getByRole('button', { name: /^Limbs: Down angle/ }).click();
-    await expect(page.getByRole('dialog')).toBeVisible();
-    expect(await faults(page)).toEqual([]);
-    await page.keyboard.press('Escape');
-    await page.setViewportSize({ width: 320, height: 640 });
-    await expect(page.getByRole('region', { name: 'Controls' })).toBeVisible();
-    await expect(page.locator('.parameter').first()).toBeAttached();
-    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
-    // No row is wider than the panel that holds it.
-    const wide = await page.evaluate(() => {
-      const { right } = document.querySelector('wg-tree')!.getBoundingClientRect();
-      return [...document.querySelectorAll('wg-tree .parameter *')]
-        .filter((e) => e.checkVisibility() && !e.closest('.spoken') && e.getBoundingClientRect().right > right + 1)
-        .map((e) => e.outerHTML.slice(0, 90));
-    });
-    expect(wide).toEqual([]);
-    expect(await faults(page)).toEqual([]);
-    await page.getByRole('radio', { name: 'Side by side' }).check({ force: true });
-    await expect(page.locator('.level-table')).toBeVisible();
-    expect(await faults(page)).toEqual([]);
+test('axe finds nothing in both themes, at 1280 and at 320 pixels', async ({ page }) => {
+  const faultless = () => inBothThemes(page, async (theme) => expect(await faults(page), theme).toEqual([]));
+  await page.setViewportSize({ width: 1280, height: 720 });
+  await open(page, `${BARE}&levels.1.downAngle=80&tree.crown=0.5,0.8,0.2`);
+  for (const name of ['leaves', 'pruning', 'bark', 'foliage', 'wind', 'switches']) await section(page, name).click();
+  await expect(page.locator('.parameter').first()).toBeVisible();
+  await faultless();
+  await page.getByRole('button', { name: /^Limbs: Down angle/ }).click();
+  await expect(page.getByRole('dialog')).toBeVisible();
+  await faultless();
+  await page.keyboard.press('Escape');
+  await page.setViewportSize({ width: 320, height: 640 });
+  await expect(page.getByRole('region', { name: 'Controls' })).toBeVisible();
+  await expect(page.locator('.parameter').first()).toBeAttached();
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
+  // No row is wider than the panel that holds it.
+  const wide = await page.evaluate(() => {
+    const { right } = document.querySelector('wg-tree')!.getBoundingClientRect();
+    return [...document.querySelectorAll('wg-tree .parameter *')]
+      .filter((e) => e.checkVisibility() && !e.closest('.spoken') && e.getBoundingClientRect().right > right + 1)
+      .map((e) => e.outerHTML.slice(0, 90));
   });
-}
+  expect(wide).toEqual([]);
+  await faultless();
+  await page.getByRole('radio', { name: 'Side by side' }).check({ force: true });
+  await expect(page.locator('.level-table')).toBeVisible();
+  await faultless();
+});

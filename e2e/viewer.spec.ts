@@ -77,13 +77,16 @@ test('a frame in a page of another origin shows a tree or a link of the editor, 
   const linked = await page.evaluate(async (address) => {
     const viewer = await window.showIn(address);
     return (await viewer.call('getState')) as Record<string, unknown>;
-  }, `${viewer.href}#s=dead-tree&seed=7&tree.scale=9&t=2&paused=1&cam=40,12,20,0,4,0&season=winter&stage=golden&wind=gale`);
+  }, `${viewer.href}#s=dead-tree&seed=7&tree.scale=9&t=2&paused=1&cam=40,12,20,0,4,0&season=winter&stage=golden&wind=gale&hour=17.5&levels=2&view=levels&probe=3`);
   expect(linked).toMatchObject({
     seed: 7,
     time: 2,
     paused: true,
     season: 'winter',
     environment: 'golden',
+    hour: 17.5,
+    levels: 2,
+    debug: 'levels',
     camera: { azimuth: 40, elevation: 12, distance: 20, target: [0, 4, 0] },
   });
   const frame = page.frameLocator('iframe');

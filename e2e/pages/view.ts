@@ -13,7 +13,6 @@ const canvas = document.querySelector('canvas') as HTMLCanvasElement;
 const { species, packed, box } = await grown(text('species', 'quaking-aspen'), number('seed', 1));
 const stage = new Stage(canvas, {
   antialias: q.has('aa'),
-  environment: q.has('environment'),
   shadows: number('shadows', 1024),
 });
 stage.resize(innerWidth, innerHeight, 1);

@@ -4,7 +4,7 @@
 
 // A texel a piece, as wide as the pose. Layer 0: of a colour red, green, blue; of the sway base, gain, start. Layer 1: z0, z1.
 uniform highp sampler2DArray channelTexels;
-// As CHANNELS of src/view/channel-texels.ts numbers them.
+// As CHANNELS of src/view/channel-look.ts numbers them.
 uniform int channelKind;
 // Least corner of the tree's box, and its size; metres.
 uniform vec3 channelBox[2];

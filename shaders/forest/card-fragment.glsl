@@ -1,10 +1,12 @@
 // Colour, normal and light of a clump, from its picture.
 #include /forest/card-read.glsl
+#include /forest/laid.glsl
 
 // To the right, up and to the eye, view space.
 flat in mat3 vCardFacing;
 // Normal of the crown there, view space | light of the sky.
 in vec4 vCardCrown;
+in float vCardLaid;
 
 uniform highp sampler2DArray cardShapes;
 // How far normals turn from the leaves' own to the crown's, 0..1.

@@ -18,6 +18,7 @@ struct CardTexel {
   int picture;
 };
 
+// The card whose texel is `bits`: piece and parity (in a grove its tree, too) | v, phase | offset x, y | z, radius with picture.
 CardTexel cardTexel(uvec4 bits) {
   vec2 place = unpackUnorm2x16(bits.y);
   vec2 xy = unpackHalf2x16(bits.z);

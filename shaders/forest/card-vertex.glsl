@@ -5,6 +5,7 @@
 #include /lib/hash.glsl
 #include /lib/trig.glsl
 #include /forest/card-texel.glsl
+#include /forest/laid.glsl
 #ifdef GROVE
 #include /forest/grove-tree.glsl
 #endif
@@ -25,11 +26,13 @@ struct CardVertex {
   float picture;
   // 0..1, its own.
   float own;
+  // Force of the wind that it feels, metres.
+  float force;
 };
 
 CardVertex cardVertex() {
   int place = gl_InstanceID * cardRange.y + int(position.z);
-  CardVertex nothing = CardVertex(vec3(0.0), vec3(0.0), mat3(1.0), vec2(0.0), 0.0, 0.0);
+  CardVertex nothing = CardVertex(vec3(0.0), vec3(0.0), mat3(1.0), vec2(0.0), 0.0, 0.0, 0.0);
 #ifdef GROVE
   vShare = vec2(0.0);
 #endif
@@ -57,6 +60,7 @@ CardVertex cardVertex() {
   vec2 corner = position.xy;
   vec2 turned = vec2(corner.x - swing * corner.y, corner.y + swing * corner.x);
   result.corner = vec2(result.own < 0.5 ? -corner.x : corner.x, corner.y);
+  result.force = pose.stir;
   result.picture = float(card.picture);
   result.position = result.centre + mat2x3(right, result.facing[1]) * turned * (card.radius * cardSize.x);
   return result;

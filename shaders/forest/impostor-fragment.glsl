@@ -1,7 +1,9 @@
 // Colour, normal and light of a far tree, from its pictures.
 #include /forest/impostor-read.glsl
+#include /forest/laid.glsl
 
 in vec3 vCorner;
+in float vLaid;
 flat in vec3 vToEye;
 // Turns tree space into view space.
 flat in mat3 vTreeView;
@@ -76,5 +78,5 @@ vec3 farDiffuse() {
   // Leaves show the eye the side that they turn to it.
   n -= vToEye * min(2.0 * dot(n, vToEye), 0.0);
   farNormal = normalize(vTreeView * n);
-  return colour.rgb;
+  return laidColour(colour.rgb, vLaid * leaves);
 }

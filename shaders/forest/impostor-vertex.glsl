@@ -3,6 +3,7 @@
 #include /lib/trig.glsl
 #include /stage/field.glsl
 #include /forest/fade.glsl
+#include /forest/laid.glsl
 #include /forest/octahedral.glsl
 
 // Where it stands | its size as a part of that of the picture's tree.
@@ -10,7 +11,7 @@ in vec4 farPlace;
 // Angle that it is turned by, from x to y | layer of the atlas | how much of it has come, and of the tree that is nearer, 0..1.
 in vec4 farLook;
 
-// Views along a side of a layer | texels of a view | softness of the trees in this wind | -.
+// Views along a side of a layer | texels of a view | softness of the trees in this wind | mean force of it.
 uniform vec4 farViews;
 // A row a layer: LayerFacts of src/view/forest/impostor-atlas.ts.
 uniform highp sampler2D farTable;
@@ -37,6 +38,8 @@ struct FarVertex {
   vec3 corner;
   vec3 eye;
   int layer;
+  // How far a gust lays it over, 0..1.
+  float laid;
 };
 
 vec4 farFact(int layer, int column) {
@@ -90,9 +93,12 @@ FarVertex farVertex() {
   float lod = log2(farViews.y / max(pixelsOfView, 1e-3));
   vCellC = vec4(views[2].xy, float(result.layer), projectionMatrix[2][3] == 0.0 ? 1.0 : clamp(lod, 0.0, 4.0));
   vec3 place = centre + size * farTurned(result.turn, corner);
-  // Leans as a trunk does, more with the height, and swings a little by itself.
+  // Leans as the crown does, with the square of the height.
   float up = clamp((place.z - farPlace.z) / max(b.y * size, 0.01), 0.0, 1.2);
   vec2 force = fieldForce(farPlace.xy);
+  result.laid = crownLaid(length(force), farViews.w) * min(up, 1.0);
+  // What is bent far gives way less (src/core/forest/crown-give.ts tries a force of a half).
+  force /= max(1.0, 0.86 + 0.28 * length(force));
   place.xy += force * (b.z * farViews.z * up * up);
   result.position = vShare.x < vShare.y ? place : farPlace.xyz;
   result.corner = corner;

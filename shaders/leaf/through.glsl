@@ -1,17 +1,22 @@
-// Light through a leaf: most where the sun stands on its other side, and more when one looks towards the sun.
-// Wraps the material's own answer to a light, so shadows dim it as well. LEAF_THROUGH: its colour, and how much of the light gets there.
+// How a leaf answers to light. Through it comes most where the sun stands on its other side, and more when one looks towards the sun.
+// Three's own answer for dielectrics without its table of what rough surfaces mirror: a crown is many leaves deep, and each of them is lit.
+// LEAF_THROUGH: colour of what comes through, and how much of the light gets there.
 #ifndef LEAF_THROUGH
 #define LEAF_THROUGH (vLeafThrough * (leafClear * vLeaf.y))
 #endif
+// Part of the light that is not mirrored at the surface.
+#define LEAF_ENTERS 0.95
 void RE_Direct_Leaf(
   const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal,
   const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material,
   inout ReflectedLight reflectedLight
 ) {
-  RE_Direct_Physical(
-    directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight
-  );
-  float behind = saturate(-dot(geometryNormal, directLight.direction));
+  float facing = dot(geometryNormal, directLight.direction);
+  vec3 irradiance = saturate(facing) * directLight.color;
+  reflectedLight.directSpecular +=
+    irradiance * BRDF_GGX(directLight.direction, geometryViewDir, geometryNormal, material);
+  reflectedLight.directDiffuse += irradiance * (LEAF_ENTERS * RECIPROCAL_PI) * material.diffuseColor;
+  float behind = saturate(-facing);
   float towards = saturate(-dot(geometryViewDir, directLight.direction));
   towards *= towards;
   float through = 0.5 * behind + 0.5 * towards * towards * (0.35 + 0.65 * behind);
@@ -19,3 +24,14 @@ void RE_Direct_Leaf(
 }
 #undef RE_Direct
 #define RE_Direct RE_Direct_Leaf
+#ifndef USE_ENVMAP
+void RE_IndirectDiffuse_Leaf(
+  const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal,
+  const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material,
+  inout ReflectedLight reflectedLight
+) {
+  reflectedLight.indirectDiffuse += irradiance * (LEAF_ENTERS * RECIPROCAL_PI) * material.diffuseColor;
+}
+#undef RE_IndirectDiffuse
+#define RE_IndirectDiffuse RE_IndirectDiffuse_Leaf
+#endif

@@ -50,15 +50,17 @@ vec3 grassPoint() {
   float strength = length(force);
   float lean = 1.0 - exp(-strength * mix(4.0, 9.0, normal.z));
   vec2 way = force / max(strength, 1e-6);
-  vec2 offset = normal.xy;
+  // Seen from near, as a fern is, blades and heads are as slender as they are.
+  float slender = clamp(reach / 16.0, 0.4, 1.0);
+  vec2 offset = normal.xy * (position.y > 0.0 ? 1.0 : slender);
   float high = position.y;
   float own = fract(position.x * 517.3 + position.z * 283.1);
   float flower = 0.0;
   if (own < grassGrowth.y * mix(0.2, 1.8, step(0.5, fract(dot(floor(root * 0.35), vec2(0.37, 0.73)) * 1.618)))) {
     // Its triangle stands on its tip: a head on a stalk too thin to see.
     flower = 0.05 + 0.95 * fract(own * 7919.0);
-    high = high > 0.0 ? 0.16 : 0.2;
-    offset = high > 0.18 ? normalize(offset + 1e-5) * 0.016 : vec2(0.0);
+    high = high > 0.0 ? 0.2 - 0.04 * slender : 0.2;
+    offset = high > 0.199 ? normalize(offset + 1e-5) * 0.016 * slender : vec2(0.0);
   }
   float up = high * grown * grassGrowth.x;
   float angle = 0.21 * lean;

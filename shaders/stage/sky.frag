@@ -15,7 +15,7 @@ float stars(vec3 d) {
   vec3 cell = floor(p);
   float own = fract(sin(dot(cell, vec3(12.9898, 78.233, 37.719))) * 43758.5453);
   float far = length(p - cell - 0.5);
-  return step(0.988, own) * smoothstep(0.32, 0.0, far) * fract(own * 917.0);
+  return step(0.983, own) * smoothstep(0.32, 0.0, far) * fract(own * 917.0);
 }
 #endif
 
@@ -29,7 +29,7 @@ void main() {
   float near = dot(vDirection, discDirection);
   if (near > 0.999) c += discColour * smoothstep(0.99985, 0.99996, near) * (1.0 - 0.7 * covered);
 #ifdef STARS
-  c += 0.75 * starAmount * stars(vDirection) * (1.0 - covered) * smoothstep(0.03, 0.3, up);
+  c += 1.1 * starAmount * stars(vDirection) * (1.0 - covered) * smoothstep(0.03, 0.3, up);
 #endif
   // Half a step of noise keeps the gradient from banding.
   float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));

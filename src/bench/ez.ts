@@ -29,13 +29,20 @@ function bytesOf(meshes: readonly Mesh[]): number {
   return bytes;
 }
 
+/** Milliseconds that its pictures are waited for. */
+const PATIENCE = 30_000;
+
 /** A preset of ez-tree with its pictures. It begins to load them when it is imported and says nothing when they are there: a texture then has its image. */
 export async function loadPreset(preset: string): Promise<Tree> {
   const tree = new Tree();
   tree.loadPreset(preset);
   const { map: bark, normalMap, aoMap } = tree.branchesMesh.material as MeshPhongMaterial;
   const { map: leaf } = tree.leavesMesh.material as MeshPhongMaterial;
-  while (![bark, normalMap, aoMap, leaf].every(imageOf)) await new Promise(requestAnimationFrame);
+  const last = performance.now() + PATIENCE;
+  while (![bark, normalMap, aoMap, leaf].every(imageOf)) {
+    if (performance.now() > last) throw new Error(`The pictures of ez-tree's ${preset} did not come.`);
+    await new Promise(requestAnimationFrame);
+  }
   return tree;
 }
 
@@ -48,7 +55,9 @@ export async function presetWith(triangles: number, presets: readonly string[]):
   let best = presets[0]!;
   let least = Number.POSITIVE_INFINITY;
   for (const preset of presets) {
-    const away = Math.abs(Math.log(trianglesOf(await loadPreset(preset)) / triangles));
+    const tree = await loadPreset(preset);
+    const away = Math.abs(Math.log(trianglesOf(tree) / triangles));
+    for (const { geometry } of [tree.branchesMesh, tree.leavesMesh]) geometry.dispose();
     if (away < least) [best, least] = [preset, away];
   }
   return best;

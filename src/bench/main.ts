@@ -1,4 +1,6 @@
 import type { Table } from '../../bench/report.ts';
+import { oneLine } from '../core/file/one-line.ts';
+import { LinkReader } from '../core/link/reader.ts';
 import { rendererName } from '../gpu/renderer-name.ts';
 import { element, tableElement } from './elements.ts';
 import { CLASSES } from './part-classes.ts';
@@ -15,10 +17,23 @@ import { words } from './words.ts';
 const SECTIONS: readonly Section[] = [ONE, HUNDRED, FAR, CLASSES, COUNT, PAPERS];
 
 // `?run` starts at once, `&only=one,far` some parts, `&rounds=`, `&ms=`, `&trees=`, `&counts=1,10` smaller ones.
-const asked = new URLSearchParams(location.search);
-const number = (name: string, otherwise: number): number => Number(asked.get(name) ?? otherwise);
-const counts = (asked.get('counts') ?? '1,10,100,1000,10000').split(',').map(Number);
-const only = asked.get('only')?.split(',');
+const asked = new LinkReader(new Map(new URLSearchParams(location.search)));
+const number = (name: string, otherwise: number, min: number, max: number): number =>
+  asked.number(name, { label: name, unit: '', min, max, decimals: 0 }, otherwise);
+const sizes = {
+  rounds: number('rounds', 5, 1, 100),
+  milliseconds: number('ms', 300, 1, 10_000),
+  trees: number('trees', 100, 1, 1000),
+};
+const counts = asked.read('counts', [1, 10, 100, 1000, 10_000], words.countsAllowed, (text) => {
+  const numbers = text.split(',').map((each) => (/^\d{1,5}$/.test(each) ? Number(each) : 0));
+  return numbers.every((each) => each >= 1 && each <= 20_000) ? numbers : undefined;
+});
+const ids = SECTIONS.map(({ id }) => id);
+const only = asked.read('only', ids, ids.join(', '), (text) => {
+  const named = text.split(',');
+  return named.every((each) => ids.includes(each)) ? named : undefined;
+});
 
 const page = document.querySelector<HTMLElement>('#page')!;
 const renderer = probe(rendererName);
@@ -68,6 +83,12 @@ function build(): void {
   const tools = element('div', '', 'tools');
   tools.append(runAll, stop, csv, markdown);
   head.append(element('h1', words.title), element('p', words.lead), element('p', words.quiet, 'soft'));
+  if (asked.faults.length > 0) {
+    const lines = asked.faults.map(({ key, found, allowed }) => words.fault(oneLine(key), oneLine(found, 60), allowed));
+    const notice = element('p', [words.linkFaults, ...lines].join(' '), 'fault');
+    notice.setAttribute('role', 'alert');
+    head.append(notice);
+  }
   head.append(element('p', renderer ? words.renderer(renderer) : words.noContext, 'renderer'), tools);
   page.append(head);
   for (const [section, { run: runOne, state, stage, results }] of shown) {
@@ -109,7 +130,6 @@ async function runOne(section: Section, signal: AbortSignal): Promise<void> {
   };
   try {
     const bench = { canvas, signal, step, counts };
-    const sizes = { rounds: number('rounds', 5), milliseconds: number('ms', 300), trees: number('trees', 100) };
     const { table, pictures } = await section.run({ ...bench, ...sizes });
     found.set(section, table);
     const figures = pictures.map(({ name, url }) => {
@@ -158,9 +178,14 @@ function save(name: string, type: string, text: string): void {
 
 build();
 if (asked.has('run') && renderer) {
-  await run(SECTIONS.filter(({ id }) => !only || only.includes(id)));
-  const report = { title: words.title, renderer, tables: tables() };
-  const failed = tables().length === 0;
-  document.querySelector('#report')!.textContent = JSON.stringify(failed ? { error: page.innerText } : report);
+  const chosen = SECTIONS.filter(({ id }) => only.includes(id));
+  await run(chosen);
+  const title = chosen.length === 1 ? chosen[0]!.title : words.title;
+  const without = chosen.filter((section) => !found.has(section));
+  // A part without its table is a run that failed.
+  const error = without.map((section) => `${section.title}: ${shown.get(section)!.state.textContent}`).join('\n');
+  document.querySelector('#report')!.textContent = JSON.stringify(
+    error ? { error } : { title, renderer, tables: tables() },
+  );
 }
 document.body.dataset.ready = 'true';

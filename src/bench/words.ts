@@ -5,6 +5,9 @@ export const words = {
   quiet:
     'Close what else is busy. What is compared is measured in turn, and each frame is waited for: the figures are of whole frames, no queue.',
   renderer: (name: string) => `Renderer: ${name}`,
+  linkFaults: 'Part of the address could not be read; the rest holds.',
+  fault: (key: string, found: string, allowed: string): string => `${key}: found “${found}”; allowed: ${allowed}.`,
+  countsAllowed: 'whole numbers from 1 to 20000 with commas between them',
   noContext: 'This browser gives no WebGL2 context, so there is nothing to measure.',
   runAll: 'Run all',
   run: 'Run',

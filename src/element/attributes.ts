@@ -1,4 +1,4 @@
-import type { StageId } from '../core/link/document.ts';
+import { ALL_LEVELS, type StageId } from '../core/link/document.ts';
 import { LINK_NUMBERS } from '../core/link/numbers.ts';
 import { SEASONS } from '../core/species/season.ts';
 import { ANGLE, type AttributeRule, numberBy, ORBIT, oneOf, SECONDS, SPEED, SWITCH, TEXT } from './attribute-rules.ts';
@@ -10,7 +10,7 @@ export const REVEALS = ['auto', 'interaction', 'manual'] as const;
 export const ENVIRONMENTS = ['none', 'sky', 'park', 'golden', 'studio'] as const;
 export const GROUNDS = ['auto', 'grass', 'plain', 'none'] as const;
 export const TOUCH_ACTIONS = ['pan-y', 'pan-x', 'none'] as const;
-export const DEBUGS = ['none', 'levels', 'skeleton', 'mesh', 'field'] as const;
+export const DEBUGS = ['none', 'levels', 'skeleton', 'mesh', 'field', 'state'] as const;
 
 export type ElementDetail = (typeof DETAILS)[number];
 export type ElementModel = (typeof MODELS)[number];
@@ -64,8 +64,11 @@ export const ATTRIBUTES = {
   'camera-orbit': row('cameraOrbit', ORBIT, null),
   'touch-action': row('touchAction', oneOf(TOUCH_ACTIONS), 'pan-y'),
   environment: row('environment', oneOf(ENVIRONMENTS), 'sky'),
+  hour: row('hour', numberBy(LINK_NUMBERS.hour), null),
   ground: row('ground', oneOf(GROUNDS), 'auto'),
   shadow: row('shadow', SWITCH, true),
+  levels: row('levels', numberBy(LINK_NUMBERS.levels), ALL_LEVELS),
+  leaves: row('leaves', SWITCH, true),
   season: row('season', oneOf(SEASONS), 'summer'),
   'max-pixel-ratio': row('maxPixelRatio', numberBy({ label: '', unit: '', min: 0.25, max: 2, decimals: 2 }), 2),
   debug: row('debug', oneOf(DEBUGS), 'none'),

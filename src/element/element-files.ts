@@ -7,7 +7,8 @@ import type { Wind } from '../core/wind/wind.ts';
 import { openCapture } from '../view/picture/capture.ts';
 import { exportInWorker } from '../view/picture/export-in-worker.ts';
 import type { GrownTree } from '../worker/client.ts';
-import { type ElementEnvironment, STAGE_OF } from './attributes.ts';
+import { STAGE_OF } from './attributes.ts';
+import type { TreeLook } from './tree-look.ts';
 
 /** What an element shows. */
 export interface Shown {
@@ -32,24 +33,24 @@ export interface TakenPicture {
   readonly camera: CameraPose;
   /** Width over height of what is on the screen: as much of it is in the picture. */
   readonly aspect: number;
-  readonly environment: ElementEnvironment;
-  readonly dark: boolean;
+  readonly look: TreeLook;
 }
 
 /** A picture at a size of its own, on a stage of its own: what is on the screen stays as it is. Rejects where the browser cannot. */
 export async function takePicture(shown: Shown, picture: TakenPicture): Promise<Blob> {
   const { grown, species, wind, season } = shown;
-  const { width, height, type = 'image/png', quality, time, camera, aspect, environment, dark } = picture;
+  const { width, height, type = 'image/png', quality, time, camera, aspect, look } = picture;
+  const { environment, hour, levels, leaves, dark } = look;
   const capture = openCapture(
     {
       packed: grown.packed,
       stems: grown.stems,
       species: inSeason(species, season),
       wind,
-      show: { levelsShown: Number.POSITIVE_INFINITY, showLeaves: true, view: 'shaded' },
+      show: { levelsShown: levels, showLeaves: leaves, view: 'shaded' },
       dark,
       channel: null,
-      scene: { stage: STAGE_OF[environment], hour: null },
+      scene: { stage: STAGE_OF[environment], hour },
     },
     { pose: camera, high: 1, wide: aspect },
     { width, height, transparent: environment === 'none' },

@@ -31,3 +31,34 @@ export function cameraOf(value: unknown): CameraPose | undefined {
   const [a, e, d, x, y, z] = numbers as [number, number, number, number, number, number];
   return { azimuth: a, elevation: e, distance: d, target: [x, y, z] };
 }
+
+/** The properties of an element that a state holds beside those of ATTRIBUTES. */
+interface Stateful {
+  alt: string | null;
+  cameraControls: boolean;
+  paused: boolean;
+  time: number;
+  play(): void;
+  pause(): void;
+}
+
+/** All that is seen of an element as plain JSON; `camera`: where the reader or a script has put it. */
+export function stateOf(element: Stateful, camera: CameraPose | null): ElementState {
+  const properties = STATE_ATTRIBUTES.map((name) => ATTRIBUTES[name].property);
+  const { alt, cameraControls, paused, time } = element;
+  const own = element as unknown as Record<string, unknown>;
+  return { ...Object.fromEntries(properties.map((key) => [key, own[key]])), alt, cameraControls, paused, time, camera };
+}
+
+/** Gives an element what a state has, the camera apart; what may not be the element itself turns down. */
+export function applyState(element: Stateful, state: ElementState): void {
+  for (const name of STATE_ATTRIBUTES) {
+    const { property } = ATTRIBUTES[name];
+    if (property in state) (element as unknown as Record<string, unknown>)[property] = state[property];
+  }
+  if (typeof state.alt === 'string' || state.alt === null) element.alt = state.alt;
+  if (typeof state.cameraControls === 'boolean') element.cameraControls = state.cameraControls;
+  if (typeof state.time === 'number') element.time = state.time;
+  if (state.paused === true) element.pause();
+  else if (state.paused === false) element.play();
+}

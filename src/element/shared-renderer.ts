@@ -1,10 +1,13 @@
 import type { CameraPose } from '../core/link/document.ts';
+import type { PackedTree } from '../core/pack/packed.ts';
+import { type Capabilities, capabilitiesOf } from '../view/cpu-kit.ts';
+import type { KitTree } from '../view/kit-tree.ts';
 import { placeOf, poseOf } from '../view/picture/camera-pose.ts';
 import { AZIMUTH, Stage } from '../view/stage.ts';
 import { uprightBox } from '../view/tree-extent.ts';
-import type { WindTree } from '../view/wind-tree.ts';
 import { type ElementDebug, type ElementEnvironment, type ElementGround, STAGE_OF } from './attributes.ts';
-import { DebugField } from './debug-field.ts';
+import type { DebugField } from './debug-field.ts';
+import type { DebugState } from './debug-state.ts';
 
 /** Who draws here: told when the GPU is taken away, and when it is back. */
 export interface RendererUser {
@@ -13,9 +16,11 @@ export interface RendererUser {
 
 /** What is drawn, and how. */
 export interface Shot {
-  readonly tree: WindTree;
-  /** As `PackedTree.bounds`. */
-  readonly bounds: Float32Array;
+  readonly tree: KitTree;
+  /** What it was made from. */
+  readonly packed: PackedTree;
+  /** Called when what the picture waited for has come. */
+  readonly come: () => void;
   /** Seconds. */
   readonly time: number;
   /** Springs are there at once that would take long to come to this time. */
@@ -26,6 +31,7 @@ export interface Shot {
   readonly height: number;
   readonly pixelRatio: number;
   readonly environment: ElementEnvironment;
+  readonly hour: number | null;
   readonly ground: ElementGround;
   readonly shadow: boolean;
   readonly dark: boolean;
@@ -58,10 +64,13 @@ const IDLE = 4000;
  */
 export class SharedRenderer {
   #stage: Stage | null = null;
+  /** What makes arrows of the wind, once somebody wanted to see them. */
+  #newField: ((stage: Stage) => DebugField) | null = null;
   #field: DebugField | null = null;
+  #state: DebugState | null = null;
   readonly #users = new Set<RendererUser>();
   /** Whose shadows are in the map. */
-  #shadowsOf: WindTree | null = null;
+  #shadowsOf: KitTree | null = null;
   #size = '';
   #set = '';
   /** Passed by the GPU when it is through with the last frame. */
@@ -122,6 +131,23 @@ export class SharedRenderer {
     gl.flush();
   }
 
+  /** Loads what a view for those who look inside is drawn with; until then such a shot is drawn without. */
+  async loadDebug(debug: ElementDebug): Promise<void> {
+    if (debug === 'field') await this.#loadField();
+    if (debug === 'state') this.#state ??= new (await import('./debug-state.ts')).DebugState();
+  }
+
+  async #loadField(): Promise<void> {
+    if (this.#newField) return;
+    const { DebugField } = await import('./debug-field.ts');
+    this.#newField = (stage) => new DebugField(stage);
+  }
+
+  /** What its GPU can do; null while there is none. */
+  get capabilities(): Capabilities | null {
+    return this.#stage && capabilitiesOf(this.#stage.renderer);
+  }
+
   /** The camera that shows the whole of a tree in a picture of this size. */
   wholeView(bounds: Float32Array, width: number, height: number): CameraPose {
     const stage = this.#stage as Stage;
@@ -135,7 +161,8 @@ export class SharedRenderer {
     const stage = this.#stage;
     if (!stage || this.lost) return null;
     const { renderer, camera, controls, scene } = stage;
-    const { tree, bounds, time } = shot;
+    const { tree, packed, time } = shot;
+    const { bounds } = packed;
     this.#resize(shot.width, shot.height, shot.pixelRatio);
     this.#dress(shot);
     stage.setSubject(uprightBox(bounds));
@@ -149,7 +176,7 @@ export class SharedRenderer {
     stage.blow(tree.windSource(), time);
     if (shot.debug === 'field') {
       const reach = Math.max(2, bounds[5]! - bounds[2]!);
-      this.#fieldOf(stage).show(shot.dark, reach, shot.width, shot.height);
+      this.#fieldOf(stage)?.show(shot.dark, reach, shot.width, shot.height);
     }
     const shadows = shot.shadow && (shot.moved || this.#shadowsOf !== tree);
     stage.render(shadows);
@@ -157,6 +184,7 @@ export class SharedRenderer {
     const { triangles, calls } = renderer.info.render;
     const { elevation } = poseOf(camera.position, controls.target);
     this.#handOver(renderer.domElement, canvas);
+    if (shot.debug === 'state') this.#state?.draw(renderer, tree, packed, time, canvas, shot.come);
     scene.remove(tree);
     this.#field?.hide();
     return { triangles, drawCalls: calls, elevation, catchingUp: tree.catchingUp };
@@ -179,9 +207,9 @@ export class SharedRenderer {
     this.#stage?.resize(width, height, pixelRatio);
   }
 
-  #dress({ environment, ground, shadow, dark, grass }: Shot): void {
+  #dress({ environment, hour, ground, shadow, dark, grass }: Shot): void {
     const stage = this.#stage as Stage;
-    const set = `${environment} ${ground} ${shadow} ${dark} ${grass}`;
+    const set = `${environment} ${hour} ${ground} ${shadow} ${dark} ${grass}`;
     if (set === this.#set) return;
     this.#set = set;
     const sky = environment !== 'none';
@@ -189,15 +217,16 @@ export class SharedRenderer {
     stage.ground.visible = ground === 'auto' ? sky : ground !== 'none';
     stage.meadow.visible = stage.ground.visible && ground !== 'plain';
     stage.sun.castShadow = shadow;
-    if (stage.place.stage !== STAGE_OF[environment]) stage.setScene(STAGE_OF[environment], null);
+    const { place } = stage;
+    if (place.stage !== STAGE_OF[environment] || place.hour !== hour) stage.setScene(STAGE_OF[environment], hour);
     // Without a sky there is no dusk either: it would only be too dark.
     stage.setDark(dark && sky);
     stage.setFineness({ shadows: SHADOWS, grass });
     this.#shadowsOf = null;
   }
 
-  #fieldOf(stage: Stage): DebugField {
-    this.#field ??= new DebugField(stage);
+  #fieldOf(stage: Stage): DebugField | null {
+    this.#field ??= this.#newField?.(stage) ?? null;
     return this.#field;
   }
 

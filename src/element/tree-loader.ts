@@ -1,3 +1,4 @@
+import { inSeason, type Season } from '../core/species/season.ts';
 import type { Species } from '../core/species/species.ts';
 import { STILL, type Wind } from '../core/wind/wind.ts';
 import type { GrownTree } from '../worker/client.ts';
@@ -15,7 +16,7 @@ export interface Planted {
 
 /** Whose tree it is, and what becomes of it. */
 export interface LoaderHost {
-  readonly wishes: TreeSource & WindSourceWish & { readonly seed: number };
+  readonly wishes: TreeSource & WindSourceWish & { readonly seed: number; readonly season: Season };
   readonly shipped: ShippedSource;
   /** Loads what draws; null where that cannot be, and has been said. */
   open(signal: AbortSignal): Promise<Drawing | null>;
@@ -23,8 +24,8 @@ export interface LoaderHost {
   priority(): number;
   report(phase: WindTreeEventDetails['progress']['phase'], progress: number): void;
   plant(planted: Planted): void;
-  /** The wind has come, or is another. */
-  blow(): void;
+  /** The wind has come, or is another; kept when it blows. */
+  blow(): Promise<void>;
   /** There is no tree; `windFailed`: the tree stands in still air, or in the wind that it had. */
   failed(type: ErrorType, message: string): void;
   windFailed(type: ErrorType, message: string): void;
@@ -79,8 +80,11 @@ export class TreeLoader {
       drawing = opened;
       grows = true;
       host.report('species', 0.2);
-      const grown = await this.#grow(drawing, species, seed, signal);
-      await this.#windReady;
+      const [grown] = await Promise.all([
+        this.#grow(drawing, species, seed, signal),
+        drawing.prepare(inSeason(species, host.wishes.season)),
+        this.#windReady,
+      ]);
       if (signal.aborted) return;
       this.#planted = { grown, species, seed };
       host.plant(this.#planted);
@@ -101,16 +105,15 @@ export class TreeLoader {
     const loading = new AbortController();
     this.#windLoading = loading;
     const { signal } = loading;
-    this.#windReady = windOf(host.wishes, host.shipped, signal).then(
-      (wind) => {
+    this.#windReady = windOf(host.wishes, host.shipped, signal)
+      .then((wind) => {
         if (signal.aborted) return;
         this.#wind = wind;
-        host.blow();
-      },
-      (error: unknown) => {
+        return host.blow();
+      })
+      .catch((error: unknown) => {
         if (!signal.aborted) host.windFailed(errorTypeOf(error, 'wind'), messageOf(error));
-      },
-    );
+      });
   }
 
   #grow(drawing: Drawing, species: Species, seed: number, signal: AbortSignal): Promise<GrownTree> | GrownTree {

@@ -14,6 +14,8 @@ export interface PlayerHost {
   /** The first picture of a tree is there. */
   seen(): void;
   lost(lost: boolean): void;
+  /** What a change needs did not come: the picture stays as it was. */
+  failed(error: unknown): void;
   /** Where the camera stands by the attribute. */
   readonly cameraOrbit: CameraOrbit | null;
   toggle(): void;
@@ -69,6 +71,7 @@ export class TreePlayer implements OrbitWishes {
         this.request();
       },
       onQuality: (quality: DrawnQuality) => this.#host.tell('quality-change', quality),
+      onCome: (error) => (error === undefined ? this.request() : this.#host.failed(error)),
     });
   }
 

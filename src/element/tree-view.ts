@@ -1,25 +1,17 @@
 import type { CameraPose } from '../core/link/document.ts';
-import { inSeason, type Season } from '../core/species/season.ts';
+import { inSeason } from '../core/species/season.ts';
 import type { Species } from '../core/species/species.ts';
 import type { Wind } from '../core/wind/wind.ts';
+import { KitTree, type Mode } from '../view/kit-tree.ts';
 import { Fineness } from '../view/picture/fineness.ts';
 import type { QualityLevel } from '../view/picture/quality.ts';
-import { type Mode, WindTree } from '../view/wind-tree.ts';
 import type { GrownTree } from '../worker/client.ts';
-import type { ElementDebug, ElementDetail, ElementEnvironment, ElementGround } from './attributes.ts';
+import type { ElementDebug } from './attributes.ts';
+import { elementKit } from './element-kit.ts';
 import { type RendererUser, sharedRenderer } from './shared-renderer.ts';
+import type { TreeLook } from './tree-look.ts';
 
-/** How a tree is shown. */
-export interface TreeLook {
-  readonly detail: ElementDetail;
-  readonly environment: ElementEnvironment;
-  readonly ground: ElementGround;
-  readonly shadow: boolean;
-  readonly dark: boolean;
-  readonly season: Season;
-  readonly debug: ElementDebug;
-  readonly maxPixelRatio: number;
-}
+export type { TreeLook } from './tree-look.ts';
 
 /** What a view tells its element. */
 export interface TreeViewEvents {
@@ -27,6 +19,8 @@ export interface TreeViewEvents {
   readonly onLost: (lost: boolean) => void;
   /** It is drawn otherwise than before, because it was too slow, or is fast again. */
   readonly onQuality: (quality: DrawnQuality) => void;
+  /** What it waited for has come: it can be drawn; or has not, and it stays as it was. */
+  readonly onCome: (error?: unknown) => void;
 }
 
 /** How finely it is drawn at the moment. */
@@ -51,6 +45,7 @@ const MODE_OF: Readonly<Record<ElementDebug, Mode>> = {
   skeleton: 'control',
   mesh: 'wireframe',
   field: 'shaded',
+  state: 'shaded',
 };
 
 /** One tree of the page on the renderer that all share, and the canvas that shows it. */
@@ -58,7 +53,9 @@ export class TreeView implements RendererUser {
   readonly canvas: HTMLCanvasElement;
   readonly #events: TreeViewEvents;
   readonly #fineness = new Fineness();
-  #tree: WindTree | null = null;
+  #tree: KitTree | null = null;
+  /** It has what is to be seen. */
+  #set = false;
   #grown: GrownTree | null = null;
   /** As its file has it. */
   #species: Species | null = null;
@@ -78,7 +75,7 @@ export class TreeView implements RendererUser {
   }
 
   /** The object that is drawn, in the scene only while it is; null where there is none, or its memory was freed. */
-  get tree(): WindTree | null {
+  get tree(): KitTree | null {
     return this.#tree;
   }
 
@@ -111,7 +108,7 @@ export class TreeView implements RendererUser {
     this.#stale = true;
     if (!this.#tree) return;
     if (season) this.#put(this.#tree);
-    this.#tree.mode = MODE_OF[look.debug];
+    this.#dress(this.#tree);
   }
 
   /** CSS pixels. */
@@ -129,7 +126,8 @@ export class TreeView implements RendererUser {
   draw(time: number, camera: CameraPose, hurried: boolean): ViewFigures | null {
     if (!this.#grown || !this.#look) return null;
     this.#wake();
-    const tree = this.#tree as WindTree;
+    const tree = this.#tree as KitTree;
+    if (!this.#set) return null;
     const look = this.#look;
     const now = performance.now();
     const fineness = this.#fineness;
@@ -145,7 +143,8 @@ export class TreeView implements RendererUser {
       {
         ...look,
         tree,
-        bounds: this.#grown.packed.bounds,
+        packed: this.#grown.packed,
+        come: () => this.#events.onCome(),
         time,
         near: hurried,
         camera,
@@ -174,6 +173,7 @@ export class TreeView implements RendererUser {
   rest(): void {
     this.#tree?.dispose();
     this.#tree = null;
+    this.#set = false;
     this.#time = Number.NaN;
   }
 
@@ -184,16 +184,44 @@ export class TreeView implements RendererUser {
 
   #wake(): void {
     if (this.#tree) return;
-    const tree = new WindTree();
+    const tree = new KitTree(elementKit);
     this.#tree = tree;
     this.#put(tree);
     if (this.#wind) tree.setWind(this.#wind);
-    tree.mode = MODE_OF[this.#look?.debug ?? 'none'];
+    this.#dress(tree);
   }
 
-  #put(tree: WindTree): void {
+  #dress(tree: KitTree): void {
+    const look = this.#look;
+    if (!look) return;
+    tree.mode = MODE_OF[look.debug];
+    tree.levelsShown = look.levels;
+    tree.showLeaves = look.leaves ? 'auto' : false;
+  }
+
+  /** In the colours of the season, at once or when what they need has come. */
+  #put(tree: KitTree): void {
     if (!this.#grown || !this.#species) return;
-    tree.setTree(this.#grown.packed, inSeason(this.#species, this.#look?.season ?? 'summer'));
+    const species = inSeason(this.#species, this.#look?.season ?? 'summer');
+    if (!elementKit.has(species)) {
+      void this.#putLater(tree, species);
+      return;
+    }
+    tree.setTree(this.#grown.packed, species);
+    this.#set = true;
     this.#stale = true;
+  }
+
+  async #putLater(tree: KitTree, species: Species): Promise<void> {
+    try {
+      await elementKit.load(species);
+    } catch (error) {
+      this.#events.onCome(error);
+      return;
+    }
+    if (this.#tree !== tree) return;
+    // As the tree and the season are by now.
+    this.#put(tree);
+    this.#events.onCome();
   }
 }

@@ -2,19 +2,20 @@ import type { PropertyValues, TemplateResult } from 'lit';
 import { property } from 'lit/decorators.js';
 import type { ExportOptions } from '../core/io/export-options.ts';
 import { STILL, type Wind } from '../core/wind/wind.ts';
-import type { WindTree } from '../view/wind-tree.ts';
+import type { KitTree } from '../view/kit-tree.ts';
 import { attributeProperty } from './attribute-property.ts';
 import { ATTRIBUTES, attributeFault, readProperty } from './attributes.ts';
 import { isDark, watchScheme } from './colour-scheme.ts';
 import type { Drawing } from './drawing.ts';
 import type { ErrorType, WindTreeEventDetails } from './element-events.ts';
-import { cameraOf, type ElementState, STATE_ATTRIBUTES } from './element-state.ts';
+import { applyState, cameraOf, type ElementState, STATE_ATTRIBUTES, stateOf } from './element-state.ts';
 import { elementStyles } from './element-styles.ts';
 import { elementTemplate } from './element-template.ts';
 import { distanceToMiddle, type Nearness, watchNearness } from './near.ts';
 import { listenToOrbit } from './orbit-input.ts';
 import { fetchedFrom, type ShippedSource } from './shipped-source.ts';
 import { type Planted, TreeLoader } from './tree-loader.ts';
+import { lookOf } from './tree-look.ts';
 import { TreePlayer } from './tree-player.ts';
 import type { DrawnQuality } from './tree-view.ts';
 import { WindTreeProperties } from './wind-tree-properties.ts';
@@ -33,8 +34,11 @@ const ON_WIND: readonly PropertyKey[] = ['windSpeed', 'windDirection', 'gust', '
 const OF_LOOK: readonly PropertyKey[] = [
   'detail',
   'environment',
+  'hour',
   'ground',
   'shadow',
+  'levels',
+  'leaves',
   'season',
   'maxPixelRatio',
   'debug',
@@ -96,8 +100,9 @@ export class WindTreeElement extends WindTreeProperties {
   #drawing: Drawing | null = null;
   #nearness = AWAY;
   #unwatch: (() => void)[] = [];
-  /** The wind as the attributes have it. */
+  /** The wind as the attributes have it, and how often it was asked for. */
   #blows: Wind = STILL;
+  #windWish = 0;
   #wantsTree = true;
   #drawn = false;
   #poster = true;
@@ -143,8 +148,13 @@ export class WindTreeElement extends WindTreeProperties {
     return { ...figures, quality: view?.quality ?? null, shared: this.#drawing?.renderer.info ?? null };
   }
 
-  /** The view object that is drawn; null before there is one and while it is far from the window. */
-  get tree(): WindTree | null {
+  /** What the GPU of the page's elements can do; where it lacks something `reason` says what is done instead. null before the first tree. */
+  get capabilities(): Drawing['renderer']['capabilities'] {
+    return this.#drawing?.renderer.capabilities ?? null;
+  }
+
+  /** The view object that is drawn, a WindTree by what it can do; null before there is one and while it is far from the window. */
+  get tree(): KitTree | null {
     return this.#player.view?.tree ?? null;
   }
 
@@ -194,7 +204,7 @@ export class WindTreeElement extends WindTreeProperties {
   ): Promise<Blob> {
     const shown = this.#shown();
     const { takePicture } = await import('./element-files.ts');
-    const { clientWidth, clientHeight, environment } = this;
+    const { clientWidth, clientHeight } = this;
     return takePicture(shown, {
       width: Math.max(1, clientWidth),
       height: Math.max(1, clientHeight),
@@ -202,8 +212,7 @@ export class WindTreeElement extends WindTreeProperties {
       ...options,
       camera: this.#player.orbit.pose,
       aspect: clientWidth / Math.max(1, clientHeight),
-      environment,
-      dark: isDark(this),
+      look: lookOf(this, isDark(this)),
     });
   }
 
@@ -216,31 +225,12 @@ export class WindTreeElement extends WindTreeProperties {
 
   /** All that is seen as plain JSON: the properties of the attributes, time, and the camera where the reader moved it. */
   getState(): ElementState {
-    const properties = STATE_ATTRIBUTES.map((name) => ATTRIBUTES[name].property);
-    const { alt, cameraControls, paused, time } = this;
-    return {
-      ...Object.fromEntries(properties.map((key) => [key, this[key as keyof this]])),
-      alt,
-      cameraControls,
-      paused,
-      time,
-      camera: this.#player.orbit.own,
-    };
+    return stateOf(this, this.#player.orbit.own);
   }
 
   /** Takes what `getState` gave, whole or in part; a value that may not be gives an `error` event, the others apply. */
   setState(state: ElementState): void {
-    for (const name of STATE_ATTRIBUTES) {
-      const { property: key } = ATTRIBUTES[name];
-      if (key in state) (this as Record<string, unknown>)[key] = state[key];
-    }
-    if (typeof state.alt === 'string' || state.alt === null) this.alt = state.alt;
-    if (typeof state.cameraControls === 'boolean') this.cameraControls = state.cameraControls;
-    if (typeof state.time === 'number') this.time = state.time;
-    if (typeof state.paused === 'boolean') {
-      if (state.paused) this.pause();
-      else this.play();
-    }
+    applyState(this, state);
     const camera = cameraOf(state.camera);
     // After the attribute of the same state, which would put the camera back.
     if (camera) void this.updateComplete.then(() => this.#player.place(camera));
@@ -303,7 +293,7 @@ export class WindTreeElement extends WindTreeProperties {
     queueMicrotask(() => {
       if (any(OF_TREE) || changed.has('loading')) this.#loadIfNear();
       if (any(OF_WIND)) this.#loader.reloadWind();
-      else if (any(ON_WIND)) this.#blow();
+      else if (any(ON_WIND)) void this.#blow();
       if (any(OF_LOOK)) this.#relook();
       if (changed.has('cameraOrbit')) this.#player.wishCamera(this.#drawn);
       if (changed.has('paused')) this.#run();
@@ -346,6 +336,7 @@ export class WindTreeElement extends WindTreeProperties {
       tell: (name, detail) => this.#tell(name, detail),
       seen: () => this.#seen(),
       lost: (lost) => this.#lose(lost),
+      failed: (error) => this.#fault('fetch', String(error)),
       toggle: () => this.#toggle(),
     });
   }
@@ -432,7 +423,8 @@ export class WindTreeElement extends WindTreeProperties {
       return null;
     }
     this.#relook();
-    this.#blow();
+    await this.#blow();
+    if (signal.aborted) return null;
     this.#player.show(this.visible);
     return drawing;
   }
@@ -442,19 +434,25 @@ export class WindTreeElement extends WindTreeProperties {
     this.#player.plant(planted);
   }
 
-  #blow(): void {
+  /** Lets the wind blow as the attributes have it; what changes a wind is loaded when one of them asks for it. The latest wish wins. */
+  async #blow(): Promise<void> {
     const { view } = this.#player;
-    if (!this.#drawing || !view) return;
+    if (!view) return;
     const { windSpeed, windDirection, gust, model } = this;
-    this.#blows = this.#drawing.wind(this.#loader.wind, { windSpeed, windDirection, gust, model });
+    const wishes = [windSpeed, windDirection, gust, model];
+    const wish = ++this.#windWish;
+    const shape = wishes.every((each) => each === null) ? null : (await import('./element-wind.ts')).elementWind;
+    if (wish !== this.#windWish || view !== this.#player.view) return;
+    const { wind } = this.#loader;
+    this.#blows = shape ? shape(wind, { windSpeed, windDirection, gust, model }) : wind;
     view.setWind(this.#blows, this.#runs ? FADE : 0);
     this.requestUpdate();
     this.#player.request();
   }
 
   #relook(): void {
-    const { detail, environment, ground, shadow, season, debug, maxPixelRatio } = this;
-    this.#player.setLook({ detail, environment, ground, shadow, season, debug, maxPixelRatio, dark: isDark(this) });
+    this.#player.setLook(lookOf(this, isDark(this)));
+    void this.#drawing?.prepareDebug(this.debug).then(() => this.#player.request());
   }
 
   #report(phase: WindTreeEventDetails['progress']['phase'], progress: number): void {
@@ -475,11 +473,12 @@ export class WindTreeElement extends WindTreeProperties {
       if (!this.autoplay || still || less) this.paused = true;
     }
     if (this.#dismissed || (first && this.reveal === 'auto')) this.#poster = false;
-    this.#said = elementWords.status.ready(triangles);
+    this.#said = elementWords.status.ready(triangles, this.capabilities?.reason ?? '');
     this.#report('draw', 1);
     this.#enter('ready');
     this.#run();
     this.#tell('load', { species: species.name, seed, triangles });
+    void this.#drawing?.loadPick();
   }
 
   /** The reader sees the tree, and nobody holds it. */

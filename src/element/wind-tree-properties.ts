@@ -1,5 +1,6 @@
 import { LitElement } from 'lit';
 import { property } from 'lit/decorators.js';
+import { ALL_LEVELS } from '../core/link/document.ts';
 import type { Season } from '../core/species/season.ts';
 import type { Species } from '../core/species/species.ts';
 import type { Wind } from '../core/wind/wind.ts';
@@ -75,11 +76,20 @@ export class WindTreeProperties extends LitElement {
   /** What is around the tree: `sky` (default), `park`, `golden`, `studio`, or `none`, which is transparent. */
   @property(attributeProperty('environment')) environment: ElementEnvironment = 'sky';
 
+  /** Hour of the day by the sun, 0 to 24, which lights it. null: the environment's own. */
+  @property(attributeProperty('hour')) hour: number | null = null;
+
   /** What it stands on: `grass`, `plain`, `none`, or `auto` (default): grass under a sky, nothing without one. */
   @property(attributeProperty('ground')) ground: ElementGround = 'auto';
 
   /** Whether it throws shadows: `on` (default) or `off`. */
   @property(attributeProperty('shadow')) shadow = true;
+
+  /** How many levels of branches are drawn, from the trunk on: 1 to 9, all by default. */
+  @property(attributeProperty('levels')) levels = ALL_LEVELS;
+
+  /** Whether leaves are drawn, where all levels are: `on` (default) or `off`. */
+  @property(attributeProperty('leaves')) leaves = true;
 
   /** `spring`, `summer` (default), `autumn` or `winter`: leaves, blossom and fruit. */
   @property(attributeProperty('season')) season: Season = 'summer';
@@ -87,7 +97,7 @@ export class WindTreeProperties extends LitElement {
   /** Pixels of the screen to each of the page at most, 0.25 to 2. Default 2. */
   @property(attributeProperty('max-pixel-ratio')) maxPixelRatio = 2;
 
-  /** What is shown for those who look inside: `none` (default), `levels`, `skeleton`, `mesh`, or `field`, the force of the wind over the ground. */
+  /** What is shown for those who look inside: `none` (default), `levels`, `skeleton`, `mesh`, `field`, the force of the wind over the ground, or `state`, the textures that the GPU keeps of the branches. */
   @property(attributeProperty('debug')) debug: ElementDebug = 'none';
 
   /** Holds time still; set by the reader's button, too. */

@@ -7,7 +7,9 @@ export const elementWords = {
   keys: 'Arrow keys turn the view, plus and minus go nearer and farther, Home shows the whole tree, space holds the wind still.',
   status: {
     loading: 'Growing the tree.',
-    ready: (triangles: number): string => `Ready, ${triangles.toLocaleString('en')} triangles.`,
+    /** `lack`: a sentence about what the graphics card cannot do, or nothing. */
+    ready: (triangles: number, lack: string): string =>
+      `Ready, ${triangles.toLocaleString('en')} triangles. ${lack}`.trim(),
     paused: 'Paused.',
     playing: 'The wind blows.',
     lost: 'The graphics card was taken away. The picture stands until it is back.',

@@ -3,7 +3,7 @@ import { addressOf, readAddress } from './address.ts';
 import { takeMap } from './panel-ground.ts';
 import { drawCounters, drawFailure, drawShell } from './shell.ts';
 import { type Scene, Sources } from './sources.ts';
-import { Store } from './store.ts';
+import { type Notice, Store } from './store.ts';
 import { installTestHook } from './test-hook.ts';
 import { followSystemTheme } from './theme.ts';
 import { words } from './words.ts';
@@ -54,6 +54,8 @@ function run(picture: HTMLElement, over: HTMLElement, sources: Sources, world: W
   let jump = true;
   let written = '';
   let asked = 0;
+  /** What was last said about trees without a place. */
+  let room: Notice | null = null;
   const write = (): void => {
     asked = 0;
     written = addressOf(store.state.document, world.flight.eye);
@@ -75,17 +77,24 @@ function run(picture: HTMLElement, over: HTMLElement, sources: Sources, world: W
     write();
     const copied = navigator.clipboard?.writeText(written) ?? Promise.reject(new Error());
     copied.then(
-      () => store.set({ notice: { kind: 'note', title: words.copied, lines: [] } }),
+      () => {
+        const { terrain, density } = store.state.document;
+        const lines = terrain.kind === 'map' || density.kind === 'map' ? [words.lacks] : [];
+        store.set({ notice: { kind: 'note', title: words.copied, lines } });
+      },
       () => store.set({ notice: { kind: 'note', title: words.notCopied, lines: [] } }),
     );
   };
   const draw = (): void => drawShell(over, store, sources, world, { onScene, onCopy });
 
   world.onForest = (document, standing) => {
+    const told = store.state.notice;
     if (standing < document.count) {
       const title = words.noRoom(document.count, standing);
-      store.set({ notice: { kind: standing === 0 ? 'error' : 'note', title, lines: [] } });
-    } else draw();
+      room = { kind: standing === 0 ? 'error' : 'note', title, lines: [] };
+      store.set({ notice: room });
+    } else if (told !== null && told === room) store.set({ notice: null });
+    else draw();
   };
   world.onError = (error) => store.set({ notice: { kind: 'error', title: words.broken, lines: [textOf(error)] } });
   store.listen((state, before) => {
@@ -112,10 +121,17 @@ function run(picture: HTMLElement, over: HTMLElement, sources: Sources, world: W
     event.preventDefault();
     store.set({ playing: !store.state.playing });
   });
+  const hold = (dragging: boolean): void => {
+    if (dragging !== store.state.dragging) store.set({ dragging });
+  };
+  window.addEventListener('dragleave', (event) => {
+    if (event.relatedTarget === null) hold(false);
+  });
   for (const kind of ['dragover', 'drop'] as const) {
     window.addEventListener(kind, (event) => {
       if (!event.dataTransfer?.types.includes('Files')) return;
       event.preventDefault();
+      hold(kind === 'dragover');
       if (kind === 'dragover') return;
       const over = event.target instanceof Element ? event.target.closest<HTMLElement>('[data-map]') : null;
       void takeMap(store, over?.dataset.map === 'density' ? 'density' : 'height', event.dataTransfer.files[0]);

@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { faultText } from '../core/file/fault.ts';
+import { oneLine } from '../core/file/one-line.ts';
 import { LONGEST_NAME } from '../core/forest/forest-numbers.ts';
 import { LONGEST_MAP, readDensityMap, readHeightMap } from '../core/forest/grey-map.ts';
 import { slider } from './slider.ts';
@@ -10,13 +11,16 @@ import { words } from './words.ts';
 export async function takeMap(store: Store, kind: 'height' | 'density', file: File | undefined): Promise<void> {
   if (!file) return;
   // No more is read than may be in a map: the reader says what is wrong with the rest.
-  const bytes = new Uint8Array(await file.slice(0, LONGEST_MAP + 1).arrayBuffer());
-  const { map, fault } = (kind === 'height' ? readHeightMap : readDensityMap)(bytes, file.name);
-  if (fault) {
-    const title = kind === 'height' ? words.heightMap : words.densityMap;
-    store.set({ notice: { kind: 'error', title, lines: [faultText(fault)] } });
-    return;
-  }
+  const bytes = await file
+    .slice(0, LONGEST_MAP + 1)
+    .arrayBuffer()
+    .catch(() => null);
+  const title = kind === 'height' ? words.heightMap : words.densityMap;
+  const refuse = (line: string): void => store.set({ notice: { kind: 'error', title, lines: [line] } });
+  // A folder that was dropped is no file that can be read.
+  if (!bytes) return refuse(words.unreadable(oneLine(file.name)));
+  const { map, fault } = (kind === 'height' ? readHeightMap : readDensityMap)(new Uint8Array(bytes), file.name);
+  if (fault) return refuse(faultText(fault));
   const name = file.name.slice(0, LONGEST_NAME);
   if (kind === 'height') store.setHeightMap(map, name);
   else store.setDensityMap(map, name);

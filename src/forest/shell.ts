@@ -23,6 +23,12 @@ const pages = (): TemplateResult =>
       html`<a href=${`./${href}`} aria-current=${id === 'forest' ? 'page' : nothing}>${short}</a>`,
   )}</nav>`;
 
+/** Where a picture that is held over the page may be dropped. */
+const dropPlaces = (): TemplateResult =>
+  html`<div class="drop">${(['height', 'density'] as const).map(
+    (map) => html`<div data-map=${map}><span>${words.drop}</span><strong>${words.mapNames[map]}</strong></div>`,
+  )}</div>`;
+
 export interface ShellWork {
   readonly onScene: (scene: Scene) => void;
   readonly onCopy: () => void;
@@ -30,7 +36,7 @@ export interface ShellWork {
 
 /** Draws what lies over the picture, as the state and the forest are now. */
 export function drawShell(into: HTMLElement, store: Store, sources: Sources, world: World, work: ShellWork): void {
-  const { open, playing, notice } = store.state;
+  const { open, playing, notice, dragging } = store.state;
   render(
     html`
       <div class="panel" ?data-open=${open}>
@@ -61,7 +67,8 @@ export function drawShell(into: HTMLElement, store: Store, sources: Sources, wor
             : nothing
         }
       </div>
-      <p class="work" role="status"></p>`,
+      <p class="work" role="status"></p>
+      ${dragging ? dropPlaces() : nothing}`,
     into,
   );
 }

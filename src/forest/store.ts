@@ -18,6 +18,8 @@ export interface ForestState {
   readonly playing: boolean;
   readonly open: boolean;
   readonly notice: Notice | null;
+  /** Files are held over the page. */
+  readonly dragging: boolean;
 }
 
 /** Holds the state and tells who listens of each change. */
@@ -33,6 +35,7 @@ export class Store {
       playing: true,
       open: true,
       notice: null,
+      dragging: false,
       ...start,
     };
   }

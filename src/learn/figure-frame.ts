@@ -5,6 +5,7 @@ import { words } from './words.ts';
 /** What the buttons of a figure do. */
 export interface FrameActions {
   play(): void;
+  step(): void;
   reset(): void;
   /** The address that shows the figure as it is. */
   link(): string;
@@ -19,19 +20,27 @@ export class FigureFrame {
   readonly #readouts = new Map<string, HTMLElement>();
   readonly #told = document.createElement('p');
   readonly #play: HTMLButtonElement | null = null;
+  readonly #still: HTMLImageElement | null;
   readonly #open: HTMLAnchorElement | null = null;
   readonly #opened: FigureSpec['open'];
 
   constructor(figure: HTMLElement, spec: FigureSpec, actions: FrameActions) {
-    const { id, title, aspect, readouts, moves, open } = spec;
+    const { id, title, aspect, narrow, readouts, moves, steps, open } = spec;
     this.#title = title;
     figure.id ||= `fig-${id}`;
     figure.setAttribute('aria-label', title);
     this.stage.className = 'stage';
     this.stage.style.setProperty('--aspect', String(aspect));
+    this.stage.style.setProperty('--narrow', String(narrow ?? Math.min(aspect, 1.25)));
     this.canvas.setAttribute('role', 'img');
     this.canvas.setAttribute('aria-label', title);
     this.stage.append(this.canvas);
+    // The picture that stands there without a script is to be seen until the first drawing.
+    this.#still = figure.querySelector<HTMLImageElement>('.still');
+    if (this.#still) {
+      this.#still.alt = '';
+      this.stage.prepend(this.#still);
+    }
     const panel = document.createElement('div');
     panel.className = 'panel';
     const heading = document.createElement('p');
@@ -49,6 +58,7 @@ export class FigureFrame {
       return made;
     };
     if (moves) this.#play = button(words.play, () => actions.play());
+    if (steps) button(words.step, () => actions.step());
     button(words.reset, () => actions.reset());
     button(words.link, () => void this.#copy(actions.link()));
     this.#opened = open;
@@ -64,6 +74,12 @@ export class FigureFrame {
     panel.append(buttons, this.#told);
     figure.prepend(this.stage, panel);
     figure.classList.add('mounted');
+  }
+
+  /** The canvas has its picture. */
+  showDrawn(): void {
+    this.#still?.remove();
+    this.stage.parentElement?.classList.add('shown');
   }
 
   showPlaying(playing: boolean): void {
@@ -92,7 +108,7 @@ export class FigureFrame {
     const message = document.createElement('p');
     message.className = 'failed';
     message.textContent = why;
-    this.stage.replaceChildren(message);
+    this.stage.replaceChildren(...(this.#still ? [this.#still] : []), message);
   }
 
   #list(readouts: FigureSpec['readouts']): HTMLElement {

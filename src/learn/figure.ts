@@ -27,12 +27,16 @@ export interface FigureSpec {
   /** That of `<figure data-figure>`. */
   readonly id: string;
   readonly title: string;
-  /** Width / height of the stage. On a narrow screen it is never flatter than 4 : 3. */
+  /** Width / height of the stage. */
   readonly aspect: number;
+  /** The same on a narrow screen; default `aspect`, or 5 : 4 where that is flatter. */
+  readonly narrow?: number;
   readonly controls: readonly Control[];
   readonly readouts: readonly Readout[];
   /** It moves by itself: gets a button to play and pause; under reduced motion it begins paused. */
   readonly moves?: boolean;
+  /** Gets a button that stops its time and makes one step. */
+  readonly steps?: boolean;
   /** Seconds at which its time begins; default 0. */
   readonly begin?: number;
   /** What stands behind `#` in the editor's address, for "Open in editor". */
@@ -62,6 +66,10 @@ export interface FigureHost {
 export interface FigureStage {
   /** Draws, and says what the readouts are: numbers as they are to be read (`toFixed`), or words. `time`: seconds since it began to move. */
   draw(values: Values, time: number): Readonly<Record<string, number | string>>;
+  /** The button of `steps`. */
+  step?(): void;
+  /** Puts back what was dragged and is no control. */
+  reset?(): void;
   /** What can be dragged, as it lies after the last `draw`. */
   handles?(values: Values): readonly Handle[];
   /** What screen readers are told in place of the picture, as it is now: a sentence or two. */

@@ -43,6 +43,7 @@ export class MountedFigure implements Live, FigureHost {
     this.#playing = Boolean(spec.moves) && !matchMedia('(prefers-reduced-motion: reduce)').matches;
     this.#frame = new FigureFrame(element, spec, {
       play: () => this.#play(!this.#playing),
+      step: () => this.#step(),
       reset: () => this.#reset(),
       link: () => `${location.href.replace(/#.*/, '')}#${writeFigure(this.id, spec.controls, this.#values)}`,
     });
@@ -127,6 +128,7 @@ export class MountedFigure implements Live, FigureHost {
       // A picture that moves is not told again sixty times a second.
       if (!this.#drawn || !this.#playing) this.#frame.tell(this.#text(), false);
       this.#drawn = true;
+      if (!this.#waits) this.#frame.showDrawn();
     } catch (error) {
       this.#fail(error);
     }
@@ -194,9 +196,16 @@ export class MountedFigure implements Live, FigureHost {
     this.redraw();
   }
 
+  #step(): void {
+    this.#play(false);
+    this.#stage?.step?.();
+    this.#done();
+  }
+
   #reset(): void {
     this.#values = defaultsOf(this.#spec.controls);
     this.#time = this.#spec.begin ?? 0;
+    this.#stage?.reset?.();
     this.#showValues();
     this.redraw();
     this.#done();

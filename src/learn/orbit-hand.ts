@@ -64,6 +64,12 @@ export class OrbitHand {
     );
   }
 
+  /** Back to where the view began. */
+  reset(): void {
+    this.azimuth = 0;
+    this.elevation = 0;
+  }
+
   dispose(): void {
     this.#ended.abort();
     this.#canvas.removeAttribute('tabindex');

@@ -201,20 +201,27 @@ export class Plane {
     context.font = `${italic ? 'italic ' : ''}${bold ? '600 ' : ''}${size}px system-ui, sans-serif`;
     context.textAlign = align;
     context.textBaseline = baseline;
+    const [px, py] = [this.#inside(x + shift[0], context.measureText(text)), y + shift[1]];
     if (rim) {
       context.strokeStyle = colours.well;
       context.lineWidth = 4;
       context.lineJoin = 'round';
-      context.strokeText(text, x + shift[0], y + shift[1]);
+      context.strokeText(text, px, py);
     }
     context.fillStyle = colour ?? colours.ink;
-    context.fillText(text, x + shift[0], y + shift[1]);
+    context.fillText(text, px, py);
   }
 
   /** What `FigureStage.handles` returns for a point of the world; keys move it by `step` pixels. */
   handle({ at, move, ...rest }: WorldHandle): Handle {
     const [x, y] = this.toPixel(...at);
     return { ...rest, x, y, move: (px, py) => move(...this.toWorld(px, py)) };
+  }
+
+  /** Where a text begins or ends that shall not be cut by the edge of the stage. */
+  #inside(x: number, { actualBoundingBoxLeft, actualBoundingBoxRight }: TextMetrics): number {
+    const last = this.#host.size.width - 4 - actualBoundingBoxRight;
+    return Math.max(4 + actualBoundingBoxLeft, Math.min(last, x));
   }
 
   #path(points: readonly Point[]): void {

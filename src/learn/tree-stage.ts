@@ -89,6 +89,8 @@ class TreeStage implements FigureStage, StageUser {
   constructor(host: FigureHost, options: TreeStageOptions) {
     this.#host = host;
     this.#options = options;
+    // It has a light of its own: its still picture is not turned for the dark.
+    host.canvas.dataset.scene = '';
     this.ready = new Promise((keep, breakOff) => {
       this.#settle = { keep, breakOff };
     });
@@ -144,6 +146,10 @@ class TreeStage implements FigureStage, StageUser {
 
   text(values: Values): string {
     return this.#options.text?.(values, this.#grown) ?? '';
+  }
+
+  reset(): void {
+    this.#hand.reset();
   }
 
   dispose(): void {

@@ -2,6 +2,7 @@
 export const words = {
   play: 'Play',
   pause: 'Pause',
+  step: 'One step',
   reset: 'Reset',
   link: 'Copy link',
   linked: 'Link copied',

@@ -10,4 +10,5 @@ import '../element/define.ts';
 
 export { fetchedFrom, type ShippedSource } from '../element/shipped-source.ts';
 export { WindTreeElement } from '../element/wind-tree-element.ts';
+export type { KitTree } from '../view/kit-tree.ts';
 export { shipped } from './shipped.ts';

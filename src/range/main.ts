@@ -1,16 +1,31 @@
+import { oneLine } from '../core/file/one-line.ts';
 import { loadSpecies, loadWind } from '../view/load.ts';
 import type { DrawnElements } from '../view/wind-tree.ts';
 import { RangePage } from './page.ts';
 import { type Figures, RangePicture } from './picture.ts';
-import { readState, writeState } from './state.ts';
+import { type RangeState, readState, writeState } from './state.ts';
 import { rangeWords as words } from './words.ts';
 
 const root = document.documentElement;
 const system = matchMedia('(prefers-color-scheme: dark)');
 const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
 
-let state = readState(location.search);
-if (still) state = { ...state, wind: false };
+/** Lines that the message about a link has at most. */
+const LISTED = 6;
+
+let state: RangeState;
+let notice: readonly string[] = [];
+
+/** Takes the address as it is typed. */
+function readAddress(): void {
+  const { state: read, faults } = readState(location.search);
+  state = still ? { ...read, wind: false } : read;
+  notice = faults
+    .slice(0, LISTED)
+    .map(({ key, found, allowed }) => words.fault(oneLine(key), oneLine(found, 60), allowed));
+}
+readAddress();
+
 let picture: RangePicture | null = null;
 let table: readonly DrawnElements[] = [];
 let figures: Figures | null = null;
@@ -20,7 +35,12 @@ let settled = 0;
 
 const dark = (): boolean => state.dark ?? system.matches;
 
-const page = new RangePage(document.querySelector('#page') as HTMLElement, (change) => {
+const dismiss = (): void => {
+  notice = [];
+  refresh();
+};
+
+const page = new RangePage(document.querySelector('#page') as HTMLElement, dismiss, (change) => {
   state = { ...state, ...change };
   history.replaceState(null, '', `${location.pathname}${writeState(state)}`);
   settled = 0;
@@ -31,8 +51,10 @@ const page = new RangePage(document.querySelector('#page') as HTMLElement, (chan
 
 function refresh(): void {
   root.dataset.theme = dark() ? 'dark' : 'light';
-  page.show({ state, dark: dark(), table, figures, milliseconds });
+  show(milliseconds);
 }
+
+const show = (milliseconds: number): void => page.show({ state, dark: dark(), notice, table, figures, milliseconds });
 
 let waiting = 0;
 let last = 0;
@@ -50,7 +72,7 @@ function wake(): void {
     else if (settled === 2) milliseconds = picture.measure(state, dark(), time, 3);
     else picture.draw(state, dark(), time);
     figures = picture.figures();
-    if (settled < 4) page.show({ state, dark: dark(), table, figures, milliseconds: settled < 2 ? 0 : milliseconds });
+    if (settled < 4) show(settled < 2 ? 0 : milliseconds);
     if (settled === 3) root.dataset.ready = 'true';
     settled = Math.min(settled + 1, 4);
     if (settled < 4 || state.wind || picture.stage.moving) {
@@ -82,7 +104,7 @@ system.addEventListener('change', () => {
 });
 document.addEventListener('visibilitychange', wake);
 addEventListener('popstate', () => {
-  state = readState(location.search);
+  readAddress();
   refresh();
   wake();
 });

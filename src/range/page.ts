@@ -1,4 +1,4 @@
-import { html, render, type TemplateResult } from 'lit';
+import { html, nothing, render, type TemplateResult } from 'lit';
 import { SEASONS } from '../core/species/season.ts';
 import type { DrawnElements } from '../view/wind-tree.ts';
 import type { Figures } from './picture.ts';
@@ -10,6 +10,8 @@ import { count, metres, rangeWords as words } from './words.ts';
 export interface Shown {
   readonly state: RangeState;
   readonly dark: boolean;
+  /** What is wrong with the link, line by line. */
+  readonly notice: readonly string[];
   /** By the ranges of Table 2; empty until the tree has grown. */
   readonly table: readonly DrawnElements[];
   readonly figures: Figures | null;
@@ -24,12 +26,14 @@ export class RangePage {
   readonly canvas = document.createElement('canvas');
   readonly inset = document.createElement('canvas');
   readonly #root: HTMLElement;
+  readonly #dismiss: () => void;
   readonly #tell: Tell;
   #message: string = words.loading;
   #shown: Shown | null = null;
 
-  constructor(root: HTMLElement, tell: Tell) {
+  constructor(root: HTMLElement, dismiss: () => void, tell: Tell) {
     this.#root = root;
+    this.#dismiss = dismiss;
     this.#tell = tell;
     this.canvas.setAttribute('role', 'img');
     this.canvas.setAttribute('aria-label', words.picture);
@@ -59,6 +63,7 @@ export class RangePage {
     return html`
       <h1>${words.title}</h1>
       <p class="lead">${words.intro}</p>
+      ${shown.notice.length > 0 ? this.#notice(shown.notice) : nothing}
       <div class="show">
         <figure class="picture">
           ${this.canvas}${this.inset}
@@ -74,6 +79,14 @@ export class RangePage {
       <h2>${words.ours}</h2>
       <ul>${words.own.map((text) => html`<li>${text}</li>`)}</ul>
     `;
+  }
+
+  #notice(lines: readonly string[]): TemplateResult {
+    return html`<div class="notice" role="alert">
+      <p><strong>${words.linkFaults}</strong></p>
+      ${lines.map((line) => html`<p>${line}</p>`)}
+      <button type="button" aria-label=${words.dismiss} title=${words.dismiss} @click=${this.#dismiss}>×</button>
+    </div>`;
   }
 
   #controls({ state, dark }: Shown): TemplateResult {

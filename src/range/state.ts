@@ -1,3 +1,6 @@
+import { nearest } from '../core/file/nearest.ts';
+import { type LinkFault, LinkReader } from '../core/link/reader.ts';
+import type { NumberRule } from '../core/link/rule.ts';
 import { SEASONS, type Season } from '../core/species/season.ts';
 
 /** How the tree is drawn: by the paper's rules, by what shows on the screen, or all of it. */
@@ -32,29 +35,32 @@ const START: RangeState = {
   seed: 1,
 };
 
-const oneOf = <T extends string>(list: readonly T[], text: string | null, otherwise: T): T =>
-  list.find((each) => each === text) ?? otherwise;
+/** What the numbers of an address may be. */
+const RULES = {
+  range: { label: 'range', unit: 'm', min: NEAREST, max: FARTHEST, decimals: 1 },
+  quality: { label: 'quality', unit: '', min: 0.1, max: 1, decimals: 2 },
+  seed: { label: 'seed', unit: '', min: 0, max: 2 ** 31, decimals: 0 },
+} as const satisfies Readonly<Record<string, NumberRule>>;
 
-function within(text: string | null, low: number, high: number, otherwise: number): number {
-  const n = Number.parseFloat(text ?? '');
-  return Number.isFinite(n) ? Math.min(high, Math.max(low, n)) : otherwise;
-}
-
-const flag = <T>(text: string | null, otherwise: T): boolean | T => (text === null ? otherwise : text === '1');
-
-/** Reads a query; what is missing or makes no sense is as at the start. */
-export function readState(query: string): RangeState {
-  const q = new URLSearchParams(query);
-  return {
-    range: within(q.get('range'), NEAREST, FARTHEST, START.range),
-    way: oneOf(WAYS, q.get('draw'), START.way),
-    near: flag(q.get('near'), START.near),
-    quality: within(q.get('quality'), 0.1, 1, START.quality),
-    season: oneOf(SEASONS, q.get('season'), START.season),
-    wind: flag(q.get('wind'), START.wind),
-    dark: flag(q.get('dark'), START.dark),
-    seed: Math.round(within(q.get('seed'), 0, 2 ** 31, START.seed)),
+/** Reads a query: what is missing is as at the start, and so is what is wrong, each with a fault. */
+export function readState(query: string): { state: RangeState; faults: readonly LinkFault[] } {
+  const reader = new LinkReader(new Map(new URLSearchParams(query)));
+  const state: RangeState = {
+    range: reader.number('range', RULES.range, START.range),
+    way: reader.choice('draw', START.way, WAYS),
+    near: reader.flag('near', START.near),
+    quality: reader.number('quality', RULES.quality, START.quality),
+    season: reader.choice('season', START.season, SEASONS),
+    wind: reader.flag('wind', START.wind),
+    dark: reader.has('dark') ? reader.flag('dark', false) : START.dark,
+    seed: reader.number('seed', RULES.seed, START.seed),
   };
+  // Keys that are nearly ours are slips of the pen; others are somebody else's, such as those that mail programs add.
+  for (const [key, value] of reader.values) {
+    const near = nearest(key.slice(0, 40), [...reader.known]);
+    if (near) reader.fault(key, value, `${near}, if that was meant`);
+  }
+  return { state, faults: reader.faults };
 }
 
 /** The query of a state: what is as at the start is left out. */

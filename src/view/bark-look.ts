@@ -3,6 +3,7 @@ import { twigColour } from '../core/look/bark-colour.ts';
 import { barkWrap } from '../core/look/bark-wrap.ts';
 import type { BarkLook, Species } from '../core/species/species.ts';
 import { BARK_SIZE, barkTexture, growthTexture, releaseBark } from './bark-texture.ts';
+import type { TreeKit } from './tree-kit.ts';
 import type { BarkUniforms } from './uniforms.ts';
 
 /** How the stems of a level are drawn: near by with the relief of their bark in the surface, as tubes, or as ribbons that face the eye. */
@@ -55,11 +56,11 @@ function setColour(to: Vector4, colour: string, amount: number): void {
 }
 
 /** Takes the look of a bark over into the uniforms of its materials. */
-export function setBarkLook(uniforms: BarkUniforms, bark: BarkLook): void {
+export function setBarkLook(uniforms: BarkUniforms, bark: BarkLook, kit: Pick<TreeKit, 'barkImage'>): void {
   const map = uniforms.barkMap;
   if (map.value?.name !== `bark ${bark.kind}`) {
     if (map.value) releaseBark(map.value);
-    map.value = barkTexture(bark.kind);
+    map.value = barkTexture(bark.kind, kit);
   }
   uniforms.barkGrowth.value ??= growthTexture();
   const { side, steady, ribs } = barkWrap(bark);

@@ -1,8 +1,9 @@
 import type { DataTexture } from 'three';
 import { growthImage } from '../core/look/bark-growth.ts';
-import { type BarkImage, barkImage } from '../core/look/bark-image.ts';
+import type { BarkImage } from '../core/look/bark-image.ts';
 import type { BarkLook } from '../core/species/species.ts';
 import { tileTexture } from './tile-texture.ts';
+import type { TreeKit } from './tree-kit.ts';
 
 /** Texels a side of a tile of bark: some two millimetres each. */
 export const BARK_SIZE = 512;
@@ -33,12 +34,13 @@ export function releaseBark(texture: DataTexture): void {
 }
 
 /** The bark of a kind as a texture that tiles; the image is made once a page. Give it back with `releaseBark`. */
-export const barkTexture = (kind: BarkLook['kind']): DataTexture => share(`bark ${kind}`, () => makeBark(kind));
+export const barkTexture = (kind: BarkLook['kind'], kit: Pick<TreeKit, 'barkImage'>): DataTexture =>
+  share(`bark ${kind}`, () => makeBark(kind, kit));
 
-function makeBark(kind: BarkLook['kind']): DataTexture {
+function makeBark(kind: BarkLook['kind'], kit: Pick<TreeKit, 'barkImage'>): DataTexture {
   let image = images.get(kind);
   if (!image) {
-    image = barkImage(kind, BARK_SIZE);
+    image = kit.barkImage(kind, BARK_SIZE);
     images.set(kind, image);
   }
   const texture = tileTexture(image.data, BARK_SIZE);

@@ -9,6 +9,7 @@ import { layoutGlsl } from '../core/pack/layout-glsl.ts';
 import { CHANNEL_DIFFUSE, CHANNEL_FRAGMENT } from './channel-shader.ts';
 import { GROVE_FRAGMENT } from './forest/grove-shader.ts';
 import type { Injection, Patch } from './inject.ts';
+import { MIRRORS_NOTHING } from './lean-light.ts';
 
 /** Where the deformer takes over from three's own vertex; every material has these. */
 const shape: readonly Patch[] = [
@@ -66,6 +67,7 @@ vChannel = channelOf(int(texelFetch(branches, ivec3(channelTexel, BRANCH_SPAN), 
     { anchor: '#include <map_fragment>', after: `diffuseColor.rgb *= barkDiffuse();\n${CHANNEL_DIFFUSE}` },
     { anchor: '#include <roughnessmap_fragment>', after: 'roughnessFactor = barkRoughness(roughnessFactor);' },
     { anchor: '#include <normal_fragment_maps>', after: 'normal = barkNormal(normal);' },
+    MIRRORS_NOTHING,
     {
       anchor: '#include <aomap_fragment>',
       after: `reflectedLight.indirectDiffuse *= barkAmbient();

@@ -1,24 +1,10 @@
-import { DataArrayTexture, FloatType, RGBAFormat, Vector3 } from 'three';
+import { DataArrayTexture, FloatType, RGBAFormat } from 'three';
 import { channelColour, stemChannels } from '../core/io/channels.ts';
 import { MECHANICS, MECHANICS_SIZE, TEXEL } from '../core/pack/layout.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { StemTable } from '../core/pack/stem-table.ts';
 import type { Species } from '../core/species/species.ts';
 import type { ChannelView } from './picture/picture.ts';
-
-/** Channels by the number that shaders/debug/channel.glsl knows them by. */
-export const CHANNELS: readonly ChannelView[] = ['sway', 'coordinate', 'branch', 'phase', 'pivot'];
-
-/** The uniforms of the view by channel. */
-export function channelUniforms() {
-  return {
-    channelTexels: { value: null as DataArrayTexture | null },
-    channelKind: { value: 0 },
-    channelBox: { value: [new Vector3(), new Vector3(1, 1, 1)] },
-  };
-}
-
-export type ChannelUniforms = ReturnType<typeof channelUniforms>;
 
 /** What the shaders need of a channel, a texel a piece: its colour, or what the sway along its stem follows from; and its part of the stem. */
 export function channelTexels(

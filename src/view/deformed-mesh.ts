@@ -1,4 +1,5 @@
 import { Box3, Mesh, Vector3 } from 'three';
+import { barkImage } from '../core/look/bark-image.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import { TreeTextures } from '../gpu/tree-textures.ts';
 import { barkTexture } from './bark-texture.ts';
@@ -17,7 +18,7 @@ export const STREWN_BOX = new Box3(new Vector3().setScalar(-STREWN_HALF - 2), ne
 /** One bark for what is timed: textured, in relief. */
 export function strewnBark() {
   const uniforms = barkUniforms();
-  uniforms.barkMap.value = barkTexture('plated');
+  uniforms.barkMap.value = barkTexture('plated', { barkImage });
   uniforms.barkTile.value.x = 0.7;
   uniforms.barkColour.value.set('#8a7a68');
   uniforms.barkDark.value.set('#3a3028');

@@ -2,7 +2,7 @@ import type { Box3, Camera, Object3D } from 'three';
 import { fractions } from '../core/lod/fractions.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
-import type { channelUniforms } from './channel-texels.ts';
+import type { channelUniforms } from './channel-look.ts';
 import { type DrawnElements, type PaperRange, rangeFor } from './degradation.ts';
 import { DegradedLeaves } from './degraded-leaves.ts';
 import { DegradedStems } from './degraded-stems.ts';

@@ -22,7 +22,7 @@ const SECTORS: readonly (readonly [number, number])[] = [
   [20, 16],
   [8, 12],
   [3.5, 8],
-  [1.6, 6],
+  [2.4, 6],
 ];
 
 /** Bands of a piece by level: trunks carry the flare, deeper pieces are short and nearly straight. */
@@ -74,7 +74,7 @@ function gridFor(level: number, pixels: number): GridDetail {
   const sectors = step ? step[1] : level === 0 ? 6 : 1;
   // A twig less than a pixel thick is some twenty pixels long: two straight parts follow its curve.
   const banded = pixels >= 3.5 ? bands[0] : bands[1];
-  return { sectors, bands: sectors === 1 && pixels < (level > 1 ? 0.7 : 0.2) ? Math.min(2, banded) : banded };
+  return { sectors, bands: sectors === 1 && pixels < (level > 1 ? 1 : 0.2) ? Math.min(2, banded) : banded };
 }
 
 /** Radius in pixels below which stems are drawn as fewer and wider ones, and the part of them that is always drawn. */
@@ -99,13 +99,12 @@ const SHADOW_BANDS = [12, 4, 2, 1] as const;
 export const shadowBands = (level: number, bands: number, detail: Detail): number =>
   detail === 'high' ? bands : Math.min(bands, SHADOW_BANDS[Math.min(level, SHADOW_BANDS.length - 1)] as number);
 
-/** Length in pixels from which on a leaf of so many triangles is drawn in a grain: each of them is worth its time where it covers some pixels. */
-const GRAIN = { near: { pixels: 42, triangles: 33 }, middle: { pixels: 9, triangles: 5 } } as const;
+/** Pixels of a leaf's length, squared, that each of its triangles takes for it to be drawn in a grain: it covers about a third of that. */
+const WORTH = { near: 53, middle: 32 } as const;
 
-function leastLength(grain: 'near' | 'middle', triangles: number, detail: Detail): number {
-  const usual = GRAIN[grain];
-  return (usual.pixels * Math.sqrt(triangles / usual.triangles)) / FACTOR[detail];
-}
+/** Length in pixels from which on a leaf of so many triangles is drawn in a grain. */
+const leastLength = (grain: 'near' | 'middle', triangles: number, detail: Detail): number =>
+  Math.sqrt(WORTH[grain] * triangles) / FACTOR[detail];
 
 /**
  * How finely `count` leaves are drawn whose blades are at most `length` pixels long on screen; `triangles` tells what a leaf of a grain takes.
@@ -148,15 +147,15 @@ export const nearMost = (triangles: number, detail: Detail): number =>
 const STEM_TRIANGLES: Record<Detail, number> = { auto: 50_000, high: 2_000_000, low: 60_000 };
 /** And that the relief of their bark may take. */
 const RELIEF_TRIANGLES: Record<Detail, number> = { auto: 70_000, high: 600_000, low: 20_000 };
-const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 400_000, high: 6_000_000, low: 100_000 };
+const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 200_000, high: 6_000_000, low: 100_000 };
 /** And those that are near, in their finest form. */
 const NEAR_TRIANGLES: Record<Detail, number> = { auto: 200_000, high: 4_000_000, low: 0 };
 
 /** Leaves that are drawn at most, by default. */
-export const LEAF_BUDGET: Record<Detail, number> = { auto: 100_000, high: 600_000, low: 30_000 };
+export const LEAF_BUDGET: Record<Detail, number> = { auto: 48_000, high: 600_000, low: 30_000 };
 
 /** Part of the leaves that are drawn that cast shadows: those that do are grown to cover as much. */
-const CASTING: Record<Detail, number> = { auto: 0.34, high: 1, low: 0.2 };
+const CASTING: Record<Detail, number> = { auto: 0.25, high: 1, low: 0.2 };
 
 /** Leaves below which all cast shadows: each spot of light tells. */
 const ALL_CAST = 2000;

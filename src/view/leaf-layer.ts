@@ -1,15 +1,17 @@
 import { type Box3, type Camera, type Object3D, Vector2 } from 'three';
 import type { LeafGrain, LeafMesh } from '../core/look/leaf-mesh.ts';
 import { BUNDLE, bundleFor, type LeafShadow, leafGeometry, recount } from './branch-geometry.ts';
-import type { channelUniforms } from './channel-texels.ts';
+import type { channelUniforms } from './channel-look.ts';
 import { leafGrain, leafGrowth, leavesCasting, leavesDrawn, nearDepth, nearMost } from './detail.ts';
 import { NearLeaves } from './near-leaves.ts';
+import type { TreeKit } from './tree-kit.ts';
 import { disposeMaterials, dress, leafMaterials, type MaterialSet } from './tree-materials.ts';
 import type { Shown, TreeMesh } from './tree-parts.ts';
 import type { LeafUniforms, SharedUniforms } from './uniforms.ts';
 
 /** What the leaves need of the tree that they hang on. */
 export interface LeafHost extends Object3D {
+  readonly kit: TreeKit;
   readonly shown: Shown;
   readonly shared: SharedUniforms;
   readonly channelLook: ReturnType<typeof channelUniforms>;

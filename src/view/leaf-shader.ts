@@ -7,6 +7,7 @@ import { layoutGlsl } from '../core/pack/layout-glsl.ts';
 import { CHANNEL_DIFFUSE, CHANNEL_FRAGMENT } from './channel-shader.ts';
 import { GROVE_FRAGMENT } from './forest/grove-shader.ts';
 import type { Injection, Patch } from './inject.ts';
+import { MIRRORS_NOTHING, oneLook } from './lean-light.ts';
 
 /** Where the leaf takes over from three's own vertex; every material has these. */
 const shape: readonly Patch[] = [
@@ -58,6 +59,9 @@ vChannel = channelOfLeaf(channelLeaf.piece, channelLeaf.v, channelLeaf.phase, ch
     ...GROVE_FRAGMENT,
     { anchor: '#include <common>', after: `${leafFragment}\n${CHANNEL_FRAGMENT}` },
     { anchor: '#include <lights_physical_pars_fragment>', after: leafThrough },
+    MIRRORS_NOTHING,
+    // Crowns are deep, and a leaf some way off is smaller than the edge of its shadow.
+    oneLook('!defined(LEAF_LISTED)'),
     {
       anchor: '#include <map_fragment>',
       after: `diffuseColor.rgb *= leafDiffuse(gl_FrontFacing);\n${CHANNEL_DIFFUSE}`,

@@ -85,12 +85,12 @@ export function lookAt(stage: StageId, hour: number | null, dark: boolean): Stag
 
   const day = luma(tintAlong(CLEAR.horizon, elevation)) / luma(rgb(OVERCAST.horizon));
   const dim = Math.min(1, day);
-  const shade = mixRgb(rgb(OVERCAST_NIGHT), [1, 1, 1], dim);
+  const shade = mixRgb(rgb(OVERCAST_NIGHT), [1, 1, 1], dim * dim);
   const greyed = (grey: string): Rgb => times(scaled(rgb(grey), dim), shade);
-  const under = (clear: Rgb, grey: string): Rgb => mixRgb(clear, greyed(grey), 0.94 * overcast);
+  const under = (clear: Rgb, grey: string, part = 0.94): Rgb => mixRgb(clear, greyed(grey), part * overcast);
   const zenith = under(tintAlong(CLEAR.zenith, elevation), OVERCAST.zenith);
   const middle = under(tintAlong(CLEAR.middle, elevation), OVERCAST.middle);
-  const horizon = under(tintAlong(CLEAR.horizon, elevation), OVERCAST.horizon);
+  const horizon = under(tintAlong(CLEAR.horizon, elevation), OVERCAST.horizon, 0.62);
   const clearCloud = mixRgb(
     tintAlong(CLEAR.horizon, elevation),
     [1, 1, 1],
@@ -100,10 +100,10 @@ export function lookAt(stage: StageId, hour: number | null, dark: boolean): Stag
   const moon = elevation < MOON_RISES;
   const glowDirection = placeInSky(Math.max(-2, elevation), sun.azimuth - table.heading);
   const direction = moon ? placeInSky(...MOON_PLACE) : placeInSky(Math.max(1, elevation), sun.azimuth - table.heading);
-  const light = moon ? linearOf(rgb(MOON_TINT)) : mixRgb(sunTint(elevation), [1, 0.97, 0.94], 0.7 * overcast);
+  const light = moon ? linearOf(rgb(MOON_TINT)) : mixRgb(sunTint(elevation), [1, 0.97, 0.94], 0.2 + 0.5 * overcast);
   const strength = (moon ? along(MOON_STRENGTH, elevation) : along(SUN_STRENGTH, elevation)) * (1 - 0.86 * overcast);
   const skyLight = linearOf(mixRgb(tintAlong(SKY_LIGHT, elevation), times([0.93, 0.95, 0.97], shade), 0.8 * overcast));
-  const skyIntensity = along(SKY_STRENGTH, elevation) * (1 + 0.52 * overcast);
+  const skyIntensity = along(SKY_STRENGTH, elevation) * (1 - overcast) + (1.8 + 1.45 * dim * dim) * overcast;
 
   // What lies far away is lit as the ground is: sun by its height, and the whole sky.
   const falls = plus(

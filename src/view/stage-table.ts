@@ -27,7 +27,7 @@ export interface StageTable {
 
 export const STAGE_TABLE: Readonly<Record<Exclude<StageId, 'studio'>, StageTable>> = {
   meadow: {
-    hours: [8.6, 20.3],
+    hours: [8.6, 20.75],
     heading: 20,
     overcast: 0,
     clouds: 0.75,
@@ -41,7 +41,7 @@ export const STAGE_TABLE: Readonly<Record<Exclude<StageId, 'studio'>, StageTable
     skyline: [0.05, 0.036, 0.02, 0.017],
   },
   park: {
-    hours: [10, 20.3],
+    hours: [10, 20.75],
     heading: 20,
     overcast: 1,
     clouds: 1,
@@ -80,19 +80,19 @@ export const ownHour = (stage: StageId, dark: boolean): number =>
 /** The clear sky as the screen shows it, by the sun's elevation. */
 export const CLEAR: Readonly<Record<'zenith' | 'middle' | 'horizon' | 'glow', Curve<string>>> = {
   zenith: [
-    [-16, '#0b1222'],
-    [-8, '#15213c'],
-    [-4, '#24375a'],
-    [0, '#4f73a3'],
+    [-16, '#152342'],
+    [-8, '#20386a'],
+    [-4, '#32538c'],
+    [0, '#4f76ab'],
     [6, '#6c98c6'],
     [20, '#82aed6'],
     [34, '#8ab4d9'],
     [66, '#73a5d4'],
   ],
   middle: [
-    [-16, '#141e33'],
-    [-8, '#27385a'],
-    [-4, '#4a5f84'],
+    [-16, '#24375f'],
+    [-8, '#3f5d94'],
+    [-4, '#6d87b4'],
     [0, '#93a5bf'],
     [6, '#b9c8d4'],
     [20, '#c6dbe8'],
@@ -100,9 +100,9 @@ export const CLEAR: Readonly<Record<'zenith' | 'middle' | 'horizon' | 'glow', Cu
     [66, '#bcd7ea'],
   ],
   horizon: [
-    [-16, '#202d44'],
-    [-8, '#4c5c7c'],
-    [-4, '#9a8f97'],
+    [-16, '#3f5781'],
+    [-8, '#7d8fb5'],
+    [-4, '#c9adab'],
     [0, '#e0bf9c'],
     [6, '#f0dcbc'],
     [20, '#eeeee2'],
@@ -111,8 +111,8 @@ export const CLEAR: Readonly<Record<'zenith' | 'middle' | 'horizon' | 'glow', Cu
   ],
   glow: [
     [-16, '#000000'],
-    [-8, '#301a0e'],
-    [-4, '#6b3415'],
+    [-8, '#4d2c1a'],
+    [-4, '#7d421f'],
     [0, '#a35f24'],
     [6, '#a5722f'],
     [20, '#604c2a'],
@@ -125,8 +125,8 @@ export const OVERCAST = { zenith: '#a3aeb6', middle: '#c4ccd0', horizon: '#e2e5e
 
 /** Light of the whole sky, and of the ground from below. */
 export const SKY_LIGHT: Curve<string> = [
-  [-16, '#8aa3d8'],
-  [-6, '#94a6d0'],
+  [-16, '#a2a2dc'],
+  [-6, '#a4a6d4'],
   [0, '#bcbfd0'],
   [6, '#cad2e0'],
   [30, '#d9e6f6'],
@@ -139,9 +139,10 @@ export const GROUND_LIGHT: Curve<string> = [
   [30, '#a2ad84'],
 ];
 export const SKY_STRENGTH: Curve<number> = [
-  [-16, 1.25],
-  [-6, 1.5],
-  [0, 1.6],
+  [-16, 2.3],
+  [-6, 2.6],
+  [-2, 2.9],
+  [1, 2],
   [6, 1.5],
   [30, 2.15],
 ];
@@ -157,17 +158,17 @@ export const SUN_STRENGTH: Curve<number> = [
   [65, 3.7],
 ];
 export const MOON_STRENGTH: Curve<number> = [
-  [-6, 2.2],
+  [-6, 3],
   [-1.9, 0],
 ];
-export const MOON_TINT = '#a6bff6';
+export const MOON_TINT = '#adb6f3';
 /** Grass by night: colours fade, blue the least. */
-export const GRASS_NIGHT = '#8d979f';
+export const GRASS_NIGHT = '#90a0d0';
 /** What is left of a closed sky's grey when the sun has gone. */
-export const OVERCAST_NIGHT = '#c3d2ee';
+export const OVERCAST_NIGHT = '#b0bdee';
 /** Elevation of the sun below which the moon is the light, degrees; its place: elevation, and right of where the camera looks. */
 export const MOON_RISES = -1.6;
-export const MOON_PLACE = [36, 118] as const;
+export const MOON_PLACE = [34, 72] as const;
 
 /** Stars that are seen, 0..1. */
 export const STARS: Curve<number> = [

@@ -17,9 +17,8 @@ import { type Framing, frameTree } from './framing.ts';
 import { Ground } from './ground.ts';
 import { Meadow } from './meadow.ts';
 import { Sky } from './sky.ts';
-import { SkyLight } from './sky-light.ts';
 import { CAMERA_AZIMUTH } from './sky-place.ts';
-import { lookAt } from './stage-look.ts';
+import { lookAt, type StageLook } from './stage-look.ts';
 import { Sun } from './sun.ts';
 
 /** Pixels of the picture that something else covers: the tree is framed in what is left. */
@@ -36,12 +35,18 @@ export interface StageOptions {
   shadows?: number;
   /** Smooths edges in hardware; on software GL it doubles the cost. Default true. */
   antialias?: boolean;
-  /** Light from the whole sky, also in reflections, in place of the hemisphere light: finer, and dearer a pixel. Default false. */
-  environment?: boolean;
   /** The picture has an alpha channel: what nothing is drawn on is transparent. Default false. */
   alpha?: boolean;
   /** Keep the drawing after it was shown, so that it can be copied. Default false. */
   preserveDrawingBuffer?: boolean;
+}
+
+/** How a photograph differs from what stage and camera give. */
+export interface Shot {
+  /** The light as it is exposed. */
+  readonly look: (look: StageLook) => StageLook;
+  /** Puts another lens on the camera for one drawing; what it returns takes it off. */
+  readonly aim: (stage: Stage) => () => void;
 }
 
 /** A part of the picture that is drawn by itself: its left edge and width in CSS pixels, and how far the view's middle is moved right. */
@@ -85,7 +90,6 @@ export class Stage {
   readonly ground = new Ground(this.field, this.sky.uniforms);
   readonly meadow = new Meadow(this.ground, this.field, this.sky.uniforms);
   readonly #box = new Box3(new Vector3(-2, 0, -2), new Vector3(2, 6, 2));
-  #skyLight: SkyLight | null = null;
   #reach = 6;
   #insets = NO_INSETS;
   #width = 1;
@@ -96,17 +100,12 @@ export class Stage {
   #softness = 1;
   #grass = GRASS;
   #grows = true;
+  #shot: Shot | null = null;
 
   /** Draws on `canvas`. Throws where the browser gives no WebGL2 context. */
   constructor(
     canvas: HTMLCanvasElement,
-    {
-      shadows = 1024,
-      antialias = true,
-      environment = false,
-      alpha = false,
-      preserveDrawingBuffer = false,
-    }: StageOptions = {},
+    { shadows = 1024, antialias = true, alpha = false, preserveDrawingBuffer = false }: StageOptions = {},
   ) {
     this.renderer = new WebGLRenderer({
       canvas,
@@ -131,7 +130,6 @@ export class Stage {
     this.controls.addEventListener('change', () => {
       this.#settling = 2;
     });
-    if (environment) this.#skyLight = new SkyLight(this.renderer, this.scene, this.sky);
     this.setDark(false);
     this.frame(this.#box);
   }
@@ -166,6 +164,12 @@ export class Stage {
     this.#relight();
   }
 
+  /** null: neither exposure nor lens of its own. */
+  set shot(shot: Shot | null) {
+    this.#shot = shot;
+    this.#relight();
+  }
+
   /** How finely light and grass are drawn: texels a side of the shadow map, part of the grass that grows (0..1). */
   setFineness({ shadows, grass }: { readonly shadows: number; readonly grass: number }): void {
     this.#grass = grass;
@@ -181,7 +185,8 @@ export class Stage {
   }
 
   #relight(): void {
-    const look = lookAt(this.#place.stage, this.#place.hour, this.#dark);
+    let look = lookAt(this.#place.stage, this.#place.hour, this.#dark);
+    if (this.#shot) look = this.#shot.look(look);
     const { sun, hemisphere } = this;
     this.sky.setLook(look);
     this.ground.setLook(look);
@@ -197,8 +202,6 @@ export class Stage {
     this.#grows = look.blades > 0;
     this.#applyGrass();
     this.renderer.toneMappingExposure = look.exposure;
-    hemisphere.visible = !this.#skyLight;
-    this.#skyLight?.refresh(look);
     this.renderer.shadowMap.needsUpdate = true;
   }
 
@@ -261,15 +264,19 @@ export class Stage {
     const drop = (controls.target.y - lowest) / distance;
     controls.maxPolarAngle = Math.PI / 2 + Math.asin(Math.min(1, Math.max(-1, drop)));
     controls.update();
-    const away = Math.hypot(camera.position.x, camera.position.z);
-    this.ground.see(away);
+    const back = this.#shot?.aim(this);
+    this.ground.see(Math.hypot(camera.position.x, camera.position.z));
     this.meadow.see(camera);
     if (panes.length < 2) {
       panes[0]?.before();
       renderer.shadowMap.needsUpdate ||= shadows;
       renderer.render(this.scene, camera);
-      return;
-    }
+    } else this.#renderPanes(panes);
+    back?.();
+  }
+
+  #renderPanes(panes: readonly StagePane[]): void {
+    const { renderer, camera } = this;
     const { info } = renderer;
     info.reset();
     info.autoReset = false; // the figures are those of the whole picture
@@ -306,7 +313,6 @@ export class Stage {
   dispose(): void {
     this.controls.dispose();
     this.sky.dispose();
-    this.#skyLight?.dispose();
     this.ground.dispose();
     this.meadow.dispose();
     this.field.dispose();

@@ -1,17 +1,20 @@
 import { type Box3, type Camera, Data3DTexture, LinearFilter, RedFormat, type Vector2 } from 'three';
+import { formLight } from '../core/look/form-light.ts';
+import { formMesh, formTriangles } from '../core/look/form-mesh.ts';
 import type { GroveLight } from '../core/look/grove-light.ts';
 import { coverCount, organCount } from '../core/look/leaf-count.ts';
 import { leafThin } from '../core/look/leaf-look.ts';
-import { type LeafGrain, leafMesh, leafTriangles } from '../core/look/leaf-mesh.ts';
+import type { LeafGrain } from '../core/look/leaf-outline.ts';
 import { leafPoints } from '../core/look/leaf-points.ts';
-import { leafForm, leafSpecOf } from '../core/look/leaf-shapes.ts';
+import { leafSpecOf } from '../core/look/leaf-spec.ts';
 import { lobeEnds, VEIN_GROUPS } from '../core/look/leaf-veins.ts';
-import { ORGAN_HANG, organMesh, organTriangles } from '../core/look/organ-mesh.ts';
-import { treeLight } from '../core/look/tree-light.ts';
+import { ORGAN_HANG } from '../core/look/organ-hang.ts';
+
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
 import type { Foliage } from './forest/grove-parts.ts';
 import { type LeafHost, LeafLayer, type LeafLike } from './leaf-layer.ts';
+import type { TreeKit } from './tree-kit.ts';
 import type { TreeMesh } from './tree-parts.ts';
 import { type LeafUniforms, leafUniforms } from './uniforms.ts';
 
@@ -55,8 +58,8 @@ export class TreeLeaves implements Foliage {
   /** Takes the look of another tree; its geometry is made at the next frame. */
   setTree(tree: PackedTree, species: Species, light?: GroveLight): void {
     this.#setLook(species);
-    this.#leaves.take(leavesOf(tree, species));
-    this.#organs.take(organsOf(tree, species));
+    this.#leaves.take(leavesOf(tree, species, this.#host.kit));
+    this.#organs.take(organsOf(tree, species, this.#host.kit));
     this.#light(tree, species, light);
   }
 
@@ -97,7 +100,7 @@ export class TreeLeaves implements Foliage {
   #setLook(species: Species): void {
     const { foliage, organ, wind } = species;
     const { look } = this;
-    const form = leafForm(leafSpecOf(species));
+    const form = this.#host.kit.leafForm(leafSpecOf(species));
     const turns = foliage.second !== undefined;
     look.leafColour.value.set(foliage.colour);
     look.leafUnder.value.set(foliage.under);
@@ -130,7 +133,7 @@ export class TreeLeaves implements Foliage {
     if (this.#lit?.of === of && this.#lit.key === key) return;
     this.#lit = { of, key };
     const { crownLight, crownLow, crownSize } = this.#host.shared;
-    const { cells, low, size, data } = given ?? treeLight(tree, species);
+    const { cells, low, size, data } = given ?? formLight(tree, species, this.#host.kit.leafForm(leafSpecOf(species)));
     crownLight.value?.dispose();
     const texture = new Data3DTexture(data, cells, cells, cells);
     texture.name = 'light in the crown';
@@ -145,13 +148,14 @@ export class TreeLeaves implements Foliage {
   }
 }
 
-function leavesOf(tree: PackedTree, species: Species): LeafLike {
+function leavesOf(tree: PackedTree, species: Species, kit: TreeKit): LeafLike {
   const { foliage, leaves } = species;
   const spec = leafSpecOf(species);
+  const form = kit.leafForm(spec);
   return {
     key: String([spec.shape, spec.margin, spec.width, spec.petiole]),
-    mesh: (grain, bundle) => leafMesh(spec, grain, bundle),
-    triangles: byGrain((grain) => leafTriangles(spec, grain)),
+    mesh: (grain, bundle) => formMesh(form, spec, grain, bundle),
+    triangles: byGrain((grain) => formTriangles(form, spec, grain)),
     count: coverCount(tree.leafCount, foliage),
     length: tree.leafLength * foliage.size,
     widthOverLength: leaves.scaleX,
@@ -160,12 +164,12 @@ function leavesOf(tree: PackedTree, species: Species): LeafLike {
   };
 }
 
-function organsOf(tree: PackedTree, { organ }: Species): LeafLike {
+function organsOf(tree: PackedTree, { organ }: Species, kit: TreeKit): LeafLike {
   const { kind } = organ;
   return {
     key: kind,
-    mesh: (grain, bundle) => organMesh(kind, grain, bundle),
-    triangles: byGrain((grain) => (kind === 'none' ? 0 : organTriangles(kind, grain))),
+    mesh: (grain, bundle) => kit.organMesh(kind, grain, bundle),
+    triangles: byGrain((grain) => (kind === 'none' ? 0 : kit.organMesh(kind, grain, 1).trianglesPerCopy)),
     count: organCount(tree.leafCount, organ),
     length: organ.size,
     widthOverLength: 1,

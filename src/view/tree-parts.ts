@@ -18,9 +18,8 @@ import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
 import { deepLod, deepShare, disposeBarkLook, type StemForm, setBarkLook } from './bark-look.ts';
 import { branchGeometry, bundleFor, recount } from './branch-geometry.ts';
-import { CHANNELS, channelUniforms } from './channel-texels.ts';
+import { CHANNELS, channelUniforms } from './channel-look.ts';
 import { castCoarsely } from './coarse-shadow.ts';
-import { controlLines, setControlLines } from './control-lines.ts';
 import type { DrawnElements, PaperRange } from './degradation.ts';
 import type { DegradedTree } from './degraded-tree.ts';
 import { type Detail, type GridDetail, gridDetail, shadowBands, stemsDrawn } from './detail.ts';
@@ -32,6 +31,7 @@ import type { ChannelView } from './picture/picture.ts';
 import { pixelsPerMetre } from './pixel-size.ts';
 import { stemDefines } from './stem-defines.ts';
 import { type LevelExtent, levelExtents, windBox } from './tree-extent.ts';
+import type { TreeKit } from './tree-kit.ts';
 import { TreeLeaves } from './tree-leaves.ts';
 import { branchMaterials, disposeMaterials, dress, type MaterialSet } from './tree-materials.ts';
 import { barkUniforms, type LevelUniforms, levelUniforms, type SharedUniforms, sharedUniforms } from './uniforms.ts';
@@ -85,7 +85,8 @@ export class TreeParts extends Object3D {
   readonly bark = barkUniforms();
   readonly shown: Shown;
   readonly channelLook = channelUniforms();
-  readonly leaves = new TreeLeaves(this);
+  readonly kit: TreeKit;
+  readonly leaves: TreeLeaves;
   /** What hangs on the branches: the leaves, or what a grove has in their place. */
   readonly #foliage: Foliage;
   readonly #grove: GroveParts | null;
@@ -104,9 +105,11 @@ export class TreeParts extends Object3D {
   #shadows = { cast: true, receive: true };
 
   /** `grove`: it is not one tree that is drawn but many that were merged. */
-  constructor(shown: Shown, grove: GroveParts | null = null) {
+  constructor(shown: Shown, kit: TreeKit, grove: GroveParts | null = null) {
     super();
     this.shown = shown;
+    this.kit = kit;
+    this.leaves = new TreeLeaves(this);
     this.#grove = grove;
     this.shared = { ...sharedUniforms(), ...grove?.uniforms };
     this.#foliage = grove?.foliage?.(this) ?? this.leaves;
@@ -344,7 +347,7 @@ export class TreeParts extends Object3D {
     const [low, size] = this.channelLook.channelBox.value as [Vector3, Vector3];
     low.fromArray(tree.bounds, 0);
     size.fromArray(tree.bounds, 3).sub(low);
-    setBarkLook(this.bark, bark);
+    setBarkLook(this.bark, bark, this.kit);
     for (const { sets } of this.#levels) {
       for (const set of Object.values(sets)) set.standard.roughness = bark.roughness;
     }
@@ -429,16 +432,17 @@ export class TreeParts extends Object3D {
   #fitLines(tree: PackedTree): void {
     const wanted = this.shown.mode === 'control';
     if (this.#lines) this.#lines.visible = wanted;
-    if (!wanted) return;
+    const { lines } = this.kit;
+    if (!wanted || !lines) return;
     if (!this.#lines) {
-      this.#lines = controlLines(this.shared);
+      this.#lines = lines.make(this.shared);
       this.#lines.raycast = () => {};
       this.add(this.#lines);
       this.#lines.updateWorldMatrix(true, false);
     }
     const ends = tree.levels.map(({ start, count }) => start + count);
     const levels = Math.min(this.shown.levels, ends.length);
-    setControlLines(this.#lines, levels > 0 ? (ends[levels - 1] as number) : 0, ends, this.#box as Box3);
+    lines.fit(this.#lines, levels > 0 ? (ends[levels - 1] as number) : 0, ends, this.#box as Box3);
   }
 
   #applyMode(): void {

@@ -3,12 +3,12 @@ import type { PackedTree } from '../core/pack/packed.ts';
 import { createWindState, type WindState } from '../core/wind/fade.ts';
 import { windForce } from '../core/wind/force.ts';
 import { capabilitiesOf } from '../gpu/capabilities.ts';
-import { CpuPoser } from '../gpu/cpu-poser.ts';
 import type { Poser } from '../gpu/poser.ts';
 import type { Near } from '../gpu/state-run.ts';
 import { TreeTextures } from '../gpu/tree-textures.ts';
 import { WindPass } from '../gpu/wind-pass.ts';
 import { FeltWind } from './felt-wind.ts';
+import type { TreeKit } from './tree-kit.ts';
 
 /** Metres of force above which leaves know where it blows from. */
 const HINT = 0.01;
@@ -25,8 +25,13 @@ export class WindLane {
   /** Metres of force in the middle of the tree, as of the last `update`. */
   force = 0;
   readonly #state = createWindState();
+  readonly #kit: Pick<TreeKit, 'cpuPoser'>;
   #textures: TreeTextures | null = null;
   #poser: Poser | null = null;
+
+  constructor(kit: Pick<TreeKit, 'cpuPoser'>) {
+    this.#kit = kit;
+  }
 
   /** null before the first `update`. */
   get textures(): TreeTextures | null {
@@ -63,7 +68,7 @@ export class WindLane {
         this.#textures = textures;
       }
       this.felt.reach = reachOf(tree);
-      this.#poser = textures.cpuPose ? new CpuPoser(textures, near) : new WindPass(textures, near);
+      this.#poser = textures.cpuPose ? this.#kit.cpuPoser(textures, near) : new WindPass(textures, near);
     }
     this.#poser.update(renderer, time, this.felt);
     this.felt.fill(time, this.#state);

@@ -28,9 +28,10 @@ function show(place: HTMLElement): void {
 /** Has the element show what a link of the editor means; attributes that stand beside it go before. */
 async function follow(tree: WindTreeElement, link: string, attributes: ReadonlyMap<string, string>): Promise<void> {
   const { shownByLink } = await import('./shown-by-link.ts');
-  const { species, wind, document: linked, environment, faults } = await shownByLink(link);
+  const { species, wind, document: linked, environment, debug, leftOut, faults } = await shownByLink(link);
   for (const { key, found, allowed } of faults) console.warn(`${key}: found "${found}"; allowed: ${allowed}.`);
-  const { seed, season, rate, time, paused, camera, theme } = linked;
+  if (leftOut.length > 0) console.warn(words.leftOut(leftOut));
+  const { seed, season, rate, time, paused, camera, theme, hour, levelsShown, showLeaves } = linked;
   if (theme !== 'auto') document.documentElement.dataset.theme = theme;
   tree.speciesData = species;
   tree.windData = wind;
@@ -38,6 +39,10 @@ async function follow(tree: WindTreeElement, link: string, attributes: ReadonlyM
   tree.season = season;
   tree.playbackRate = rate;
   if (!attributes.has('environment')) tree.environment = environment;
+  if (!attributes.has('debug')) tree.debug = debug;
+  tree.hour = hour;
+  tree.levels = levelsShown;
+  tree.leaves = showLeaves;
   tree.setState({
     ...(attributes.has('time') ? {} : { time }),
     paused: paused || tree.paused,

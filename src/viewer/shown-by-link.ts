@@ -1,14 +1,15 @@
 import { parseIndex } from '../core/file/shipped-index.ts';
 import { decodeLink } from '../core/link/decode.ts';
-import { ALL_LEVELS, type LinkDocument, OVERLAYS, type StageId } from '../core/link/document.ts';
+import { ALL_LEVELS, type LinkDocument, OVERLAYS, type StageId, type ViewMode } from '../core/link/document.ts';
 import type { LinkFault } from '../core/link/reader.ts';
 import { roundWind } from '../core/link/round-wind.ts';
 import { editSpecies } from '../core/species/edits.ts';
 import { parseSpecies } from '../core/species/parse.ts';
 import type { Species } from '../core/species/species.ts';
 import { STILL, type Wind } from '../core/wind/wind.ts';
-import type { ElementEnvironment } from '../element/attributes.ts';
+import type { ElementDebug, ElementEnvironment } from '../element/attributes.ts';
 import { loadSpecies, loadText, loadWind } from '../view/load.ts';
+import { words } from './words.ts';
 
 /** What the element shows for a link of the editor. */
 export interface ShownByLink {
@@ -16,6 +17,9 @@ export interface ShownByLink {
   readonly wind: Wind;
   readonly document: LinkDocument;
   readonly environment: ElementEnvironment;
+  readonly debug: ElementDebug;
+  /** Names of what the link has and the element has not. */
+  readonly leftOut: readonly string[];
   readonly faults: readonly LinkFault[];
 }
 
@@ -28,6 +32,27 @@ const ENVIRONMENT_OF: Readonly<Record<StageId, ElementEnvironment>> = {
   golden: 'golden',
   studio: 'studio',
 };
+
+const DEBUG_OF: Readonly<Record<ViewMode, ElementDebug>> = {
+  shaded: 'none',
+  wireframe: 'mesh',
+  control: 'skeleton',
+  levels: 'levels',
+};
+
+/** How the element shows what a link draws over its tree or in its place: one thing at a time. */
+const debugOf = ({ view, overlays }: LinkDocument): ElementDebug =>
+  view === 'shaded' && overlays.arrows ? 'field' : DEBUG_OF[view];
+
+/** What a link has that the element has not, in words. */
+function leftOutOf(document: LinkDocument): string[] {
+  const { compare, arrows, probe } = words.parts;
+  return [
+    document.compare ? compare : '',
+    document.overlays.arrows && document.view !== 'shaded' ? arrows : '',
+    document.probe === null ? '' : probe,
+  ].filter(Boolean);
+}
 
 const listOf = async (path: string) => parseIndex(JSON.parse(await loadText(path))).entries ?? [];
 
@@ -82,6 +107,8 @@ export async function shownByLink(link: string): Promise<ShownByLink> {
     wind: blowing ? wind : { ...wind, strength: 0 },
     document,
     environment: ENVIRONMENT_OF[document.stage],
+    debug: debugOf(document),
+    leftOut: leftOutOf(document),
     faults,
   };
 }

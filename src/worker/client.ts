@@ -1,4 +1,3 @@
-import { proxy } from 'comlink';
 import type { Species } from '../core/species/species.ts';
 import { type Hand, letGo, takeOn, WorkerFailed, type WorkerLike } from './hand.ts';
 import {
@@ -8,6 +7,7 @@ import {
   type GrowSettings,
   PROTOCOL_VERSION,
 } from './protocol.ts';
+import { trustedWorker } from './trusted-worker.ts';
 
 export type { WorkerLike } from './hand.ts';
 export type { GrownTree, GrowProgress, GrowSettings } from './protocol.ts';
@@ -204,7 +204,7 @@ export class GrowClient {
   private async run(hand: Hand<GrowService>, job: Job): Promise<void> {
     const { species, seed } = job;
     const { onProgress, signal: _, ...settings } = job.options;
-    const report = onProgress && proxy((p: GrowProgress) => this.running === job && onProgress(p));
+    const report = onProgress && ((p: GrowProgress) => this.running === job && onProgress(p));
     try {
       const asked = hand.service.grow({ version: PROTOCOL_VERSION, species, seed, settings }, report);
       // A promise that was broken off meanwhile is settled: this then does nothing.
@@ -231,9 +231,12 @@ export class GrowClient {
 
 let shared: GrowClient | undefined;
 
+const spawnWorker = (Worker = trustedWorker()): WorkerLike =>
+  new Worker(new URL('./grow.worker.ts', import.meta.url), { type: 'module' });
+
 /** A client with a worker of its own, for trees beside the page's. `here` as `GrowClient` takes it. */
 export const newGrowClient = (here: GrowHere | null = null): GrowClient =>
-  new GrowClient(() => new Worker(new URL('./grow.worker.ts', import.meta.url), { type: 'module' }), undefined, here);
+  new GrowClient(() => spawnWorker(), undefined, here);
 
 /** The page's own client: one worker, made when it is first used. */
 export function growClient(): GrowClient {

@@ -1,9 +1,10 @@
-import { proxy, type Remote, releaseProxy, wrap } from 'comlink';
 import type { ExportFile, ExportOptions } from '../core/io/export-options.ts';
 import type { Species } from '../core/species/species.ts';
 import type { Wind } from '../core/wind/wind.ts';
 import type { WorkerLike } from './client.ts';
 import type { CountRequest, ExportProgress, ExportService, MeshCount } from './export-service.ts';
+import { type Remote, remote } from './remote.ts';
+import { trustedWorker } from './trusted-worker.ts';
 
 export type { CountRequest, ExportProgress, MeshCount } from './export-service.ts';
 
@@ -14,7 +15,7 @@ export interface ExportInWorkerOptions {
   readonly onProgress?: (progress: ExportProgress) => void;
 }
 
-const spawnWorker = (): WorkerLike =>
+const spawnWorker = (Worker = trustedWorker()): WorkerLike =>
   new Worker(new URL('./export.worker.ts', import.meta.url), { type: 'module', name: 'export' });
 
 /**
@@ -29,10 +30,10 @@ export function exportWithWorker(
   wind: Wind,
   options: ExportOptions,
   { signal, onProgress }: ExportInWorkerOptions = {},
-  spawn: () => WorkerLike = spawnWorker,
+  spawn: () => WorkerLike = () => spawnWorker(),
 ): Promise<ExportFile[]> {
   let settled = false;
-  const report = onProgress && proxy((progress: ExportProgress) => void (settled || onProgress(progress)));
+  const report = onProgress && ((progress: ExportProgress) => void (settled || onProgress(progress)));
   const asked = inWorker(spawn, signal, (service) => service.write({ species, seed, wind, options }, report));
   return asked.finally(() => {
     settled = true;
@@ -43,7 +44,7 @@ export function exportWithWorker(
 export const countWithWorker = (
   request: CountRequest,
   signal?: AbortSignal,
-  spawn: () => WorkerLike = spawnWorker,
+  spawn: () => WorkerLike = () => spawnWorker(),
 ): Promise<MeshCount[]> => inWorker(spawn, signal, (service) => service.count(request));
 
 /** Asks a worker that ends with the answer. */
@@ -54,8 +55,7 @@ function inWorker<Answer>(
 ): Promise<Answer> {
   if (signal?.aborted) return Promise.reject(signal.reason);
   const worker = spawn();
-  // Comlink asks for an Endpoint, which a Worker is.
-  const service = wrap<ExportService>(worker as Worker);
+  const service = remote<ExportService>(worker as Worker);
   return new Promise<Answer>((resolve, reject) => {
     worker.addEventListener('error', (event) => {
       const why = (event as ErrorEvent).message || 'its script did not load';
@@ -63,8 +63,5 @@ function inWorker<Answer>(
     });
     signal?.addEventListener('abort', () => reject(signal.reason), { once: true });
     ask(service).then(resolve, reject);
-  }).finally(() => {
-    service[releaseProxy]();
-    worker.terminate();
-  });
+  }).finally(() => worker.terminate());
 }

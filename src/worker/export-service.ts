@@ -1,9 +1,9 @@
-import { transfer } from 'comlink';
 import type { ExportFile, ExportOptions } from '../core/io/export-options.ts';
 import type { ExportStage } from '../core/io/export-tree.ts';
 import type { BarkMeshOptions } from '../core/mesh/bark-mesh.ts';
 import type { Species } from '../core/species/species.ts';
 import type { Wind } from '../core/wind/wind.ts';
+import { handOver } from './remote.ts';
 
 /** What the page asks of the worker. */
 export interface ExportRequest {
@@ -52,7 +52,7 @@ export const exportService: ExportService = {
       last = { stage, done };
       progress(last);
     });
-    return transfer(files, [...new Set(files.map(({ bytes }) => bytes.buffer))]);
+    return handOver(files, [...new Set(files.map(({ bytes }) => bytes.buffer))]);
   },
   async count({ species, seed, meshes }) {
     const [{ growPacked }, { meshBark }] = await Promise.all([

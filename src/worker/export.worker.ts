@@ -1,4 +1,4 @@
-import { expose } from 'comlink';
 import { exportService } from './export-service.ts';
+import { offer } from './remote.ts';
 
-expose(exportService);
+offer(exportService);

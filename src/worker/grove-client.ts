@@ -1,6 +1,7 @@
 import { GrowAborted } from './client.ts';
 import { GROVE_PROTOCOL_VERSION, type GroveRequest, type GroveService, type GrownGrove } from './grove-protocol.ts';
 import { type Hand, letGo, takeOn, WorkerFailed, type WorkerLike } from './hand.ts';
+import { trustedWorker } from './trusted-worker.ts';
 
 export { isAborted } from './client.ts';
 export type { GroveForm, GroveMember, GroveRequest, GrownGrove } from './grove-protocol.ts';
@@ -116,6 +117,8 @@ export class GroveClient {
 /** Two workers where there are cores for them beside the page and the editor's own worker. */
 const workersHere = (): number => ((globalThis.navigator?.hardwareConcurrency ?? 2) > 4 ? 2 : 1);
 
+const spawnWorker = (Worker = trustedWorker()): WorkerLike =>
+  new Worker(new URL('./grove.worker.ts', import.meta.url), { type: 'module' });
+
 /** A client with workers of its own. */
-export const newGroveClient = (): GroveClient =>
-  new GroveClient(() => new Worker(new URL('./grove.worker.ts', import.meta.url), { type: 'module' }), workersHere());
+export const newGroveClient = (): GroveClient => new GroveClient(() => spawnWorker(), workersHere());

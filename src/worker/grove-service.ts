@@ -1,4 +1,3 @@
-import { transfer } from 'comlink';
 import { type GroveLight, groveLight } from '../core/look/grove-light.ts';
 import { growPacked } from '../core/pack/grow-packed.ts';
 import { mergeTrees, type PackedGrove, type Standing } from '../core/pack/merge-trees.ts';
@@ -11,6 +10,7 @@ import {
   type GroveService,
   type GrownGrove,
 } from './grove-protocol.ts';
+import { handOver } from './remote.ts';
 import { buffersOf } from './service.ts';
 import { TreeCache } from './tree-cache.ts';
 
@@ -70,7 +70,7 @@ export function groveService({ middle, bytes = KEPT }: GroveServiceOptions): Gro
         const packed = mergeTrees(standings);
         const milliseconds = { grow: all - began, merge: performance.now() - all };
         const light = lights.get(name) as GroveLight;
-        return transfer({ packed, light, grown, milliseconds }, groveBuffers(packed));
+        return handOver({ packed, light, grown, milliseconds }, groveBuffers(packed));
       } finally {
         cancelled.delete(id);
       }

@@ -1,5 +1,5 @@
-import { expose } from 'comlink';
 import { middleTree } from '../core/forest/middle-tree.ts';
 import { groveService } from './grove-service.ts';
+import { offer } from './remote.ts';
 
-expose(groveService({ middle: middleTree }));
+offer(groveService({ middle: middleTree }));

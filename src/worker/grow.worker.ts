@@ -1,4 +1,4 @@
-import { expose } from 'comlink';
+import { offer } from './remote.ts';
 import { growService } from './service.ts';
 
-expose(growService);
+offer(growService);

@@ -1,7 +1,7 @@
-import { type Remote, releaseProxy, wrap } from 'comlink';
+import { type Remote, remote } from './remote.ts';
 
 /** The part of a Worker that is used. */
-export type WorkerLike = Pick<Worker, 'postMessage' | 'addEventListener' | 'removeEventListener' | 'terminate'>;
+export type WorkerLike = Pick<Worker, 'postMessage' | 'addEventListener' | 'terminate'>;
 
 /** A worker with its service, and the promise that rejects if its script fails. */
 export interface Hand<Service> {
@@ -24,11 +24,7 @@ export function takeOn<Service>(worker: WorkerLike): Hand<Service> {
   });
   // Nobody may be asking when it fails; whoever asks next hears of it.
   failed.catch(() => undefined);
-  // Comlink asks for an Endpoint, which a Worker is.
-  return { worker, service: wrap<Service>(worker as Worker), failed };
+  return { worker, service: remote<Service>(worker as Worker), failed };
 }
 
-export function letGo(hand: Hand<unknown>): void {
-  (hand.service as Remote<unknown>)[releaseProxy]();
-  hand.worker.terminate();
-}
+export const letGo = (hand: Hand<unknown>): void => hand.worker.terminate();

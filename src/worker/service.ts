@@ -1,8 +1,8 @@
-import { transfer } from 'comlink';
 import { growPacked } from '../core/pack/grow-packed.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import { stemBuffers } from '../core/pack/stem-table.ts';
 import { type GrowProgress, type GrowRequest, type GrowService, PROTOCOL_VERSION } from './protocol.ts';
+import { handOver } from './remote.ts';
 
 /** Least part of a stage between two messages of progress: a message costs more than a stem. */
 const STEP = 0.02;
@@ -21,7 +21,7 @@ export const growService: GrowService = {
     };
     const now = (): number => performance.now();
     const { packed, stats, stems, milliseconds } = growPacked(species, seed, { ...settings, now, onProgress });
-    return transfer({ packed, stats, stems, milliseconds }, [...buffersOf(packed), ...stemBuffers(stems)]);
+    return handOver({ packed, stats, stems, milliseconds }, [...buffersOf(packed), ...stemBuffers(stems)]);
   },
 };
 

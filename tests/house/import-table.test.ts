@@ -17,7 +17,7 @@ const table: Record<string, { rooms: string[]; packages: string[] }> = {
       '@rgrove/parse-xml',
     ],
   },
-  worker: { rooms: ['worker', 'core'], packages: ['comlink'] },
+  worker: { rooms: ['worker', 'core'], packages: [] },
   gpu: { rooms: ['gpu', 'core', 'shaders'], packages: ['three'] },
   view: { rooms: ['view', 'core', 'worker', 'gpu', 'shaders'], packages: ['three', 'mediabunny'] },
   element: { rooms: ['element', 'core', 'view', 'worker'], packages: ['lit'] },

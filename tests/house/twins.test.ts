@@ -51,8 +51,18 @@ function fault({ file, name, doc, twin }: GlslFunction): string | undefined {
   return exportsOf(path!).includes(other ?? name) ? undefined : `${file}: ${path} exports no ${other ?? name}`;
 }
 
-/** Functions that draw rather than compute: three's own hooks, which pictures judge. */
-const drawing = new Set(['RE_Direct_Leaf']);
+/** Functions that draw rather than compute: three's own hooks and what only they call, which pictures judge. */
+const drawing = new Set([
+  'RE_Direct_Leaf',
+  'RE_IndirectDiffuse_Leaf',
+  'RE_Direct_Far',
+  'farLit',
+  'farCatch',
+  'farWay',
+  'terrainShadow',
+  'crownLaid',
+  'laidColour',
+]);
 
 /** A file that reads or writes what flows through the pipeline: glue between libraries, whose whole is compared as a drawn tree. */
 function isGlue(file: string): boolean {
@@ -62,7 +72,7 @@ function isGlue(file: string): boolean {
 }
 
 /** What shaders are put together from; debug/ holds what only cross-check and bench draw with. */
-const files = ['lib', 'wind', 'branch', 'leaf']
+const files = ['lib', 'wind', 'branch', 'leaf', 'forest']
   .flatMap((folder) => filesUnder(`shaders/${folder}`))
   .filter((file) => file.endsWith('.glsl'));
 const functions = files

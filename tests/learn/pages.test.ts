@@ -1,5 +1,8 @@
+import { statSync } from 'node:fs';
+import { resolve } from 'node:path';
 import { describe, expect, test } from 'vitest';
 import { lessonHtml } from '../../build/learn.ts';
+import { lessonPage } from '../../build/lesson-page.ts';
 import { LESSONS } from '../../src/learn/lessons.ts';
 import { filesUnder, textOf } from '../house/tree-files.ts';
 
@@ -20,18 +23,27 @@ describe.each(LESSONS)('lesson $slug', ({ slug, title }) => {
   });
 
   test('is complete: a lead, captions, exercises with answers, a measured table, where it comes from', () => {
-    expect(html).toContain(`<h1>${title}</h1>`);
     expect(html).toContain('class="lead"');
     expect(html.match(/<figcaption>\s*\S/g)).toHaveLength(figuresOf(html).length);
     expect(html.match(/<summary>/g)?.length).toBeGreaterThanOrEqual(3);
     expect(html).toMatch(/class="measured"/);
-    expect(html).toContain('<lesson-nav>');
-    expect(html).toContain('<wg-nav current="learn">');
+  });
+
+  test('shows a small picture of each figure where no script draws it', () => {
+    const built = lessonPage(html, `/learn/${slug}.html`);
+    const pictures = [
+      ...built.matchAll(/<figure class="live"[^>]*><img class="still[^>]* src="..\/([^"]+)"[^>]* alt="[^"]+/g),
+    ];
+    expect(pictures).toHaveLength(figuresOf(html).length);
+    const sizes = pictures.map(([, file]) => statSync(resolve(import.meta.dirname, '../../public', file!)).size);
+    expect(Math.max(...sizes)).toBeLessThan(12_000);
   });
 
   test('builds: its formulas are right and the code that it cites is there', async () => {
-    const built = await lessonHtml(html, `/learn/${slug}.html`);
-    expect(built).not.toMatch(/<(tex|equation|source-lines|lesson-nav)\b/);
+    const path = `/learn/${slug}.html`;
+    const built = await lessonHtml(lessonPage(html, path), path);
+    expect(built).toContain(`<h1>${title}</h1>`);
+    expect(built).not.toMatch(/<(tex|equation|source-lines)\b/);
     const ids = [...built.matchAll(/ id="([^"]+)"/g)].map(([, id]) => id!);
     expect(ids.filter((id, i) => ids.indexOf(id) !== i)).toEqual([]);
   });

@@ -3,12 +3,16 @@ import { arcLength, type Cubic } from '../../src/core/math/bezier.ts';
 import { distance, dot, type Vec3 } from '../../src/core/math/vec3.ts';
 import { createWindState } from '../../src/core/wind/fade.ts';
 import { poseTree } from '../../src/core/wind/pose-tree.ts';
+import { STEP } from '../../src/gpu/step.ts';
 import { errorsOf, impulse } from '../../src/learn/ping-pong/chain.ts';
 import { apartByDepth, bothPoses } from '../../src/learn/ping-pong/lag-run.ts';
 import { swell } from '../../src/learn/ping-pong/lagged.ts';
+import { poseIn } from '../../src/learn/ping-pong/live-pose.ts';
 import { attachAxes, leanOf, printedAxis } from '../../src/learn/ping-pong/printed-axis.ts';
 import { bentBranch, uprightBranch } from '../../src/learn/ping-pong/printed-step.ts';
 import { smallTree } from '../../src/learn/ping-pong/small-tree.ts';
+import { StruckWind } from '../../src/learn/ping-pong/struck-wind.ts';
+import { twinPose } from '../../src/learn/ping-pong/twin-pose.ts';
 
 const PARENT: Cubic = { p0: [0, 0, 0], p1: [0, 0, 0.75], p2: [0.33, 0, 1.4], p3: [1.5, 0, 1.5] };
 const O: Vec3 = [1, 0, 0];
@@ -75,5 +79,22 @@ describe('lesson: ping-pong', () => {
     const { packed } = smallTree();
     const still = poseTree(packed, createWindState(), 'exact');
     expect(Math.max(...apartByDepth(packed, still, packed.restPose.data))).toBeLessThan(1e-6);
+  });
+
+  test('without float targets the twin fills the same two sets: in turn and a depth a step late, or by parity and never late', async () => {
+    const { packed } = smallTree();
+    const wind = new StruckWind(packed.depthStart.length);
+    wind.struck = true;
+    const source = twinPose(packed);
+    for (const way of ['lagged', 'exact'] as const) {
+      wind.pose = way;
+      for (let step = 0; step < 2 * wind.turn; step++) {
+        const two = await source.run(step * STEP, wind);
+        const apart = apartByDepth(packed, poseIn(packed, two!), poseTree(packed, wind.at(step * STEP), 'exact'));
+        const since = way === 'exact' ? apart.length : step % wind.turn;
+        expect(apart.map((metres) => metres > 1e-6)).toEqual(apart.map((_, depth) => depth > since));
+        expect(two?.written).toBe(way === 'exact' ? null : step & 1);
+      }
+    }
   });
 });

@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { lessonHtml, sourcePage } from '../../build/learn.ts';
 import { codeHtml, linesOf, sourceText } from '../../build/learn-source.ts';
+import { lessonPage } from '../../build/lesson-page.ts';
 import { LESSONS, neighbours } from '../../src/learn/lessons.ts';
 
 const built = (html: string): Promise<string> => lessonHtml(html, '/learn/range.html');
@@ -50,10 +51,16 @@ describe('lessons as the build writes them', () => {
   });
 
   test('the way from one lesson to the next follows the table', async () => {
-    const html = await lessonHtml('<lesson-nav></lesson-nav><lesson-cards></lesson-cards>', '/learn/range.html');
+    const html = lessonPage('<main class="lesson">\n<p>Far.</p>\n</main>\n', '/learn/range.html');
+    expect(html).toContain('<title>Degradation at range · Windgrove lessons</title>');
+    expect(html).toContain(
+      '<p class="kicker">Lesson 6 · Weber &amp; Penn 1995</p><h1>Degradation at range</h1>\n<p>Far.</p>',
+    );
     expect(html).toContain('href="./wind-models.html">Before: 5');
     expect(html).toContain('href="./how-fast.html">Next: 7');
-    expect(html.match(/<li>/g)).toHaveLength(LESSONS.length);
+    expect(html).toContain('src="/src/learn/range/main.ts"');
+    expect((await built('<lesson-cards></lesson-cards>')).match(/<li>/g)).toHaveLength(LESSONS.length);
+    expect(() => lessonPage('<h1>Far</h1><main class="lesson"></main>', '/learn/range.html')).toThrow(/<main/);
     expect(() => neighbours('no-such')).toThrow(/no lesson 'no-such'/);
     expect(LESSONS.map(({ number }) => number)).toEqual([1, 2, 3, 4, 5, 6, 7]);
   });

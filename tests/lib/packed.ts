@@ -33,6 +33,7 @@ const FILES = [
   'tsconfig.lib.json',
   'vite.cli.config.ts',
   'build/glsl.ts',
+  'build/glsl-minify.ts',
   'vite.lib.config.ts',
   'build/lib-shipped.ts',
   'build/lib-types.ts',

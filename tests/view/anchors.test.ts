@@ -29,7 +29,7 @@ const VERSIONS = [
   ['oldest', oldest],
 ] as const;
 
-describe.each(VERSIONS)('anchors in the %s three that is supported', (_, { ShaderLib }) => {
+describe.each(VERSIONS)('anchors in the %s three that is supported', (_, { ShaderChunk, ShaderLib }) => {
   it.each(CASES)('%s', (_, name, { vertex, fragment }) => {
     const shader = ShaderLib[name] ?? (ShaderLib as Record<string, newest.ShaderLibShader>)[FORMER[name] ?? name]!;
     const made = { vertex: patched(shader.vertexShader, vertex), fragment: patched(shader.fragmentShader, fragment) };
@@ -39,10 +39,11 @@ describe.each(VERSIONS)('anchors in the %s three that is supported', (_, { Shade
     for (const { after } of fragment) if (after) expect(made.fragment).toContain(after);
   });
 
-  it('has the equation of direct light that the leaves wrap', () => {
-    const chunk = ShaderLib.standard.fragmentShader;
-    expect(chunk).toContain('#include <lights_physical_pars_fragment>');
-    expect(LEAF_STANDARD.fragment.some(({ after }) => after?.includes('RE_Direct_Physical'))).toBe(true);
+  it('has the equations of light that the leaves put theirs in place of', () => {
+    const chunk = ShaderChunk.lights_physical_pars_fragment;
+    for (const name of ['RE_Direct', 'RE_IndirectDiffuse', 'RE_IndirectSpecular'])
+      expect(chunk).toMatch(new RegExp(`#define ${name}\\s+${name}_Physical`));
+    expect(chunk).toContain('BRDF_GGX( const in vec3 lightDir');
   });
 });
 

@@ -26,14 +26,17 @@ describe('leaf budget', () => {
   });
 
   it('draws stems too thin to be seen bending as ribbons of two parts', () => {
-    expect(gridDetail(2, 0.8, 1000, 'auto')).toEqual({ sectors: 1, bands: 4 });
-    expect(gridDetail(2, 0.5, 1000, 'auto')).toEqual({ sectors: 1, bands: 2 });
+    expect(gridDetail(2, 1.2, 1000, 'auto')).toEqual({ sectors: 1, bands: 4 });
+    expect(gridDetail(2, 0.9, 1000, 'auto')).toEqual({ sectors: 1, bands: 2 });
   });
 
   it('draws leaves coarser the smaller they are, and the more there are', () => {
     const cost = (grain: LeafGrain) => leafTriangles({ shape: 0, width: 1, petiole: 0.6 }, grain);
-    expect(leafGrain(100, 60_000, cost, 'auto')).toBe('middle');
-    expect(leafGrain(100, 600_000, cost, 'auto')).toBe('far');
+    const each = cost('middle');
+    expect(leafGrain(100, Math.floor(200_000 / each), cost, 'auto')).toBe('middle');
+    expect(leafGrain(100, Math.ceil(200_000 / each) + 1, cost, 'auto')).toBe('far');
+    expect(leafGrain(Math.sqrt(32 * each) + 0.01, 1000, cost, 'auto')).toBe('middle');
+    expect(leafGrain(Math.sqrt(32 * each) - 0.01, 1000, cost, 'auto')).toBe('far');
     expect(leafGrain(4, 1000, cost, 'auto')).toBe('far');
     expect(leafGrain(4, 1000, cost, 'high')).toBe('middle');
   });
@@ -41,12 +44,12 @@ describe('leaf budget', () => {
   it('draws those finest whose triangles cover some pixels', () => {
     const leaf = { length: 0.1, triangles: 33, scale: 700, perspective: true };
     const depth = nearDepth(leaf, 'auto');
-    expect((0.1 * 700) / depth).toBeCloseTo(42, 9);
+    expect((0.1 * 700) / depth).toBeCloseTo(Math.sqrt(53 * 33), 9);
     expect(nearDepth({ ...leaf, triangles: 4 * 33 }, 'auto')).toBeCloseTo(depth / 2, 9);
     expect(nearDepth(leaf, 'high')).toBeCloseTo(4 * depth, 9);
     expect(nearDepth(leaf, 'low')).toBe(0);
     // Without perspective all are or none is.
-    expect(nearDepth({ ...leaf, scale: 421, perspective: false }, 'auto')).toBe(Number.POSITIVE_INFINITY);
-    expect(nearDepth({ ...leaf, scale: 419, perspective: false }, 'auto')).toBe(0);
+    expect(nearDepth({ ...leaf, scale: 419, perspective: false }, 'auto')).toBe(Number.POSITIVE_INFINITY);
+    expect(nearDepth({ ...leaf, scale: 418, perspective: false }, 'auto')).toBe(0);
   });
 });

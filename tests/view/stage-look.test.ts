@@ -41,6 +41,16 @@ describe.each(STAGES)('the look of %s', (stage) => {
     }
   });
 
+  it('is never too dark to see the tree: light at every hour, and a horizon behind it that is lighter than its leaves', () => {
+    const luma = ([r, g, b]: readonly [number, number, number]): number => 0.3 * r + 0.59 * g + 0.11 * b;
+    for (let hour = 0; hour < 24; hour += 0.25) {
+      const { horizon, zenith, skyLight, skyIntensity } = lookAt(stage, hour, false);
+      expect(luma(horizon)).toBeGreaterThan(0.24);
+      expect(luma(horizon)).toBeGreaterThan(luma(zenith));
+      expect(luma(skyLight) * skyIntensity).toBeGreaterThan(0.55);
+    }
+  });
+
   it('lights the default view from the side, and leaves no colour of the sky beyond the screen', () => {
     for (const dark of [false, true]) {
       const { direction, zenith, middle, horizon, cloud } = lookAt(stage, null, dark);

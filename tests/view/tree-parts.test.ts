@@ -3,6 +3,7 @@ import { expect, test } from 'vitest';
 import { growPacked } from '../../src/core/pack/grow-packed.ts';
 import { windBox } from '../../src/view/tree-extent.ts';
 import { TreeParts } from '../../src/view/tree-parts.ts';
+import { wholeKit } from '../../src/view/whole-kit.ts';
 import { shippedSpecies } from '../core/pack/shipped-species.ts';
 
 const species = shippedSpecies('quaking-aspen');
@@ -17,7 +18,10 @@ function camera(distance: number): PerspectiveCamera {
 }
 
 const parts = (): TreeParts =>
-  new TreeParts({ mode: 'shaded', levels: Number.POSITIVE_INFINITY, leaves: true, detail: 'auto', leafBudget: 20_000 });
+  new TreeParts(
+    { mode: 'shaded', levels: Number.POSITIVE_INFINITY, leaves: true, detail: 'auto', leafBudget: 20_000 },
+    wholeKit,
+  );
 
 test('a tree that is given after all was freed is drawn whole, leaves and control polygons too', () => {
   const tree = parts();

@@ -1,44 +1,11 @@
-import { MessageChannel } from 'node:worker_threads';
-import { expose } from 'comlink';
 import { describe, expect, it } from 'vitest';
 import { DEFAULT_EXPORT, type ExportOptions } from '../../src/core/io/export-options.ts';
 import { exportTree } from '../../src/core/io/export-tree.ts';
 import { STILL } from '../../src/core/wind/wind.ts';
-import type { WorkerLike } from '../../src/worker/client.ts';
 import { type ExportProgress, exportWithWorker } from '../../src/worker/export-client.ts';
 import { exportService } from '../../src/worker/export-service.ts';
 import { SMALL } from '../core/mesh/small-trees.ts';
-
-/** The service behind a channel in this thread: messages are cloned and transferred as between threads. */
-class FakeWorker implements WorkerLike {
-  terminated = false;
-  readonly #channel = new MessageChannel();
-  readonly #near = this.#channel.port1 as unknown as MessagePort;
-  readonly #listeners: ((event: Event) => void)[] = [];
-
-  constructor(service: object) {
-    expose(service, this.#channel.port2 as unknown as MessagePort);
-    this.#near.start();
-  }
-
-  postMessage(message: unknown, transfer: unknown = []): void {
-    this.#near.postMessage(message, transfer as Transferable[]);
-  }
-  addEventListener(type: string, listener: unknown): void {
-    if (type === 'error') this.#listeners.push(listener as (event: Event) => void);
-    else this.#near.addEventListener(type, listener as EventListener);
-  }
-  removeEventListener(type: string, listener: unknown): void {
-    this.#near.removeEventListener(type, listener as EventListener);
-  }
-  terminate(): void {
-    this.terminated = true;
-    this.#near.close();
-  }
-  fail(message: string): void {
-    for (const listener of this.#listeners) listener(Object.assign(new Event('error'), { message }));
-  }
-}
+import { FakeWorker } from './fake-worker.ts';
 
 const glb: ExportOptions = { ...DEFAULT_EXPORT, textures: 'none', clip: true, seconds: 1 };
 

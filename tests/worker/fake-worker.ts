@@ -1,6 +1,6 @@
 import { MessageChannel } from 'node:worker_threads';
-import { expose } from 'comlink';
 import type { WorkerLike } from '../../src/worker/client.ts';
+import { offer } from '../../src/worker/remote.ts';
 
 /** A worker's service behind a channel in this thread: messages are cloned and transferred as between threads. */
 export class FakeWorker implements WorkerLike {
@@ -11,7 +11,9 @@ export class FakeWorker implements WorkerLike {
   private readonly listeners: ((event: Event) => void)[] = [];
 
   constructor(service: object) {
-    expose(service, this.channel.port2 as unknown as MessagePort);
+    const far = this.channel.port2 as unknown as MessagePort;
+    offer(service, far);
+    far.start();
     this.near.start();
   }
 
@@ -22,9 +24,6 @@ export class FakeWorker implements WorkerLike {
   addEventListener(type: string, listener: unknown): void {
     if (type === 'error') this.listeners.push(listener as (event: Event) => void);
     else this.near.addEventListener(type, listener as EventListener);
-  }
-  removeEventListener(type: string, listener: unknown): void {
-    this.near.removeEventListener(type, listener as EventListener);
   }
   terminate(): void {
     this.terminated = true;

@@ -26,3 +26,15 @@ export const treeShares = (fade: Fade, pixels: number, come = 1, taken = 1): [nu
   treeShare(fade[2], fade[3], pixels) * taken,
   treeShare(fade[0], fade[1], pixels) * come,
 ];
+
+const fraction = (x: number): number => x - Math.floor(x);
+
+/** Interleaved gradient noise of a pixel's middle, 0..1. Twin: shaders/forest/dither.glsl. Source: Jimenez 2014. */
+export const ditherAt = (x: number, y: number): number =>
+  fraction(52.9829189 * fraction(x * 0.06711056 + y * 0.00583715));
+
+/** Is a pixel another class's to draw? `shares`: as `treeShares` has them. Twin: shaders/forest/dither.glsl. */
+export function fadedOut(x: number, y: number, [low, high]: readonly [number, number]): boolean {
+  const noise = ditherAt(x, y);
+  return noise < low || noise >= high;
+}

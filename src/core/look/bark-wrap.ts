@@ -1,7 +1,7 @@
 import type { Shape } from '../deform/radius.ts';
 import type { BarkLook } from '../species/species.ts';
-import { GRAINS_PER_TILE, KEEPS_STEPS } from './bark-image.ts';
 import { RIBS_PER_TILE } from './bark-ribbed.ts';
+import { GRAINS_PER_TILE, KEEPS_STEPS } from './bark-tile.ts';
 
 /** How the tile of a bark is laid around stems: shaders/branch/bark-wrap.glsl does the same. */
 export interface BarkWrap {

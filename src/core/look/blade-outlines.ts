@@ -269,6 +269,12 @@ export const LEAFLET = outline(
   ],
 );
 
+/** A needle from some way off: one triangle, widest at its base. */
+export const SPIKE: HalfOutline = [
+  [0.5, 0],
+  [0, 1],
+];
+
 /** A needle, or a branchlet covered with scales. */
 export const NEEDLE = outline(
   'needle',

@@ -26,14 +26,13 @@ const DROOP = { ...LEAF_BEND, curl: 0.22 };
 
 const rachis = (): Blade => flatBlade(NEEDLE.far, [0.02, 0.86], [0, 0], 0, 0, { ...LEAF_BEND, fold: 0, arch: 0 });
 
-/** A pair of leaflets as one chevron that points forward. */
+/** A pair of leaflets as one triangle that opens forward. */
 const PAIR: HalfOutline = [
   [0, 0],
-  [0.5, 0.96],
-  [0, 1],
+  [0.5, 1],
 ];
 
-/** From some way off: five chevrons of two triangles each. */
+/** From some way off: four pairs and the leaflet at the end. */
 function chevrons(width: number): Blade[] {
   const pitch = 0.2;
   const out = [0, 1, 2, 3].map((i) =>
@@ -103,3 +102,6 @@ export const HAND: LeafForm = {
   blades: (width, grain) =>
     grain === 'near' ? hand(width, grain) : coveringAs(hand(width, 'near'), hand(width, grain)),
 };
+
+/** Leaves of several blades, by `leaves.shape`. */
+export const COMPOUND_FORMS: Readonly<Record<number, LeafForm>> = { 5: TRIFOLIATE, 9: FEATHER, 10: HAND };

@@ -1,4 +1,7 @@
-/** Points (x, z) of the right half of a blade, from its base (0, 0) along the margin to the tip (0, 1): x is the distance from the midrib as a fraction of the whole width (0..0.5), z runs along the midrib. */
+/**
+ * Points (x, z) of the right half of a blade, from its base (0, 0) along the margin to the tip (0, 1): x is the distance from the midrib as a fraction of the whole width (0..0.5), z runs
+ * along the midrib. Of two points, one of them on the midrib: a triangle that is not folded.
+ */
 export type HalfOutline = readonly (readonly [number, number])[];
 
 /** How finely a leaf is drawn. */

@@ -1,5 +1,5 @@
 import { axisBlade, type Blade, coveringAs, FLAT, flatBlade, type LeafForm } from './blade.ts';
-import { NEEDLE } from './blade-outlines.ts';
+import { NEEDLE, SPIKE } from './blade-outlines.ts';
 import type { LeafGrain } from './leaf-outline.ts';
 
 /** The angle from leaf to leaf that leaves no two above each other, degrees. */
@@ -37,10 +37,17 @@ export const ROSETTE = covering('rosette of needles', (width, grain) => {
     // Even on the part of a sphere from near the axis to a little below a right angle.
     const tilt = (Math.acos(0.93 - 1.08 * ((i + 0.5) / count)) * 180) / Math.PI;
     const length = 0.86 + 0.14 * Math.sin(2.4 * i);
-    const blade = axisBlade(NEEDLE.middle, [NEEDLE_WIDTH.rosette, length], 0, tilt, GOLDEN * i, {
-      ...FLAT,
-      curl: 0.08,
-    });
+    const blade = axisBlade(
+      grain === 'near' ? NEEDLE.middle : SPIKE,
+      [NEEDLE_WIDTH.rosette, length],
+      0,
+      tilt,
+      GOLDEN * i,
+      {
+        ...FLAT,
+        curl: 0.08,
+      },
+    );
     return stretched(blade, width);
   });
 });
@@ -70,6 +77,7 @@ export const SPRIG = covering('sprig of needles', (width, grain) => {
   const count = pick(grain, 30, 13, 0);
   // Fewer needles on a wider shoot keep the shape of the whole.
   const shoot = grain === 'near' ? 0.022 : 0.045;
+  const needle = grain === 'near' ? NEEDLE.middle : SPIKE;
   const out: Blade[] = [axisBlade(NEEDLE.far, [shoot, 0.98], 0, 0, 0)];
   for (let i = 0; i < count; i++) {
     const along = (i + 0.5) / count;
@@ -78,7 +86,7 @@ export const SPRIG = covering('sprig of needles', (width, grain) => {
     const length = ((0.5 * width) / 0.85) * (0.82 + 0.36 * Math.sin(Math.PI * (0.15 + 0.7 * along)) - 0.16 * along);
     const z = 0.9 * along;
     out.push(
-      axisBlade(NEEDLE.middle, [Math.min(NEEDLE_WIDTH.sprig * length, THICKEST), length], z, tilt, GOLDEN * i, {
+      axisBlade(needle, [Math.min(NEEDLE_WIDTH.sprig * length, THICKEST), length], z, tilt, GOLDEN * i, {
         ...FLAT,
         curl: 0.1,
       }),
@@ -122,3 +130,12 @@ function stretched(blade: Blade, factor: number): Blade {
   const up = [(-along[2] * along[0]) / across, (-along[2] * along[1]) / across, across] as const;
   return { ...blade, along, up, length: blade.length * long };
 }
+
+/** Needles and scales, by `leaves.shape`. */
+export const NEEDLE_FORMS: Readonly<Record<number, LeafForm>> = {
+  11: SINGLE_NEEDLE,
+  12: ROSETTE,
+  13: BUNDLE_OF_NEEDLES,
+  14: SPRIG,
+  15: SCALES,
+};

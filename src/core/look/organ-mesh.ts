@@ -1,16 +1,7 @@
 import type { OrganKind } from '../species/species.ts';
 import { axisBlade } from './blade.ts';
-import { addBlade, bundled, type LeafGrain, type LeafMesh, type MeshBuilder, meshBuilder } from './leaf-mesh.ts';
-import type { HalfOutline } from './leaf-outline.ts';
-
-/** How far organs hang down whichever way their twig points, 0..1. */
-export const ORGAN_HANG: Readonly<Record<OrganKind, number>> = {
-  none: 0,
-  blossom: 0.1,
-  fruit: 0.9,
-  cone: 0.65,
-  catkin: 0.92,
-};
+import { addBlade, bundled, type LeafMesh, type MeshBuilder, meshBuilder } from './form-mesh.ts';
+import type { HalfOutline, LeafGrain } from './leaf-outline.ts';
 
 /** A ring of a turned body: where on the axis, its radius, and the part of the second colour there. */
 type Ring = readonly [z: number, radius: number, second: number];

@@ -1,5 +1,6 @@
 import { organCount } from '../look/leaf-count.ts';
-import { ORGAN_HANG, organMesh } from '../look/organ-mesh.ts';
+import { ORGAN_HANG } from '../look/organ-hang.ts';
+import { organMesh } from '../look/organ-mesh.ts';
 import { rotateByQuaternion, writeQuaternion } from '../math/quaternion.ts';
 import type { GrownPacked } from '../pack/grow-packed.ts';
 import { type LeafOutlineMesh, type LeafPlacementOptions, type LeafPlacements, placeFirst } from './leaf-placements.ts';

@@ -36,7 +36,7 @@ export function writeCard(data: Uint32Array, place: number, card: CardTexel): vo
   data[t + 3] = halfBits(z) | (((halfBits(card.radius) & 0xfffc) | card.picture) << 16);
 }
 
-/** The card at `place` of the draw order. */
+/** The card at `place` of the draw order. Twin: shaders/forest/card-texel.glsl. */
 export function cardTexel(data: Uint32Array, place: number): CardTexel {
   const t = TEXEL * place;
   const [a, b, c, d] = [data[t]!, data[t + 1]!, data[t + 2]!, data[t + 3]!];

@@ -1,4 +1,5 @@
 import { arcOfProducts } from '../math/bezier.ts';
+import { writeColumns } from '../math/columns.ts';
 
 /**
  * One piece as 21 numbers in a row, for loops over many pieces: control points P0, P1, P2, P3, then the handles T0, T1, T2
@@ -178,25 +179,4 @@ export function recordFrame(c: Float64Array, at: number, u: number, out: Float64
   ty *= n;
   tz *= n;
   writeColumns(out, x, y, z, tx, ty, tz);
-}
-
-/** Writes the columns of a frame: the unit vectors (x, y, z) and (tx, ty, tz) at right angles to it, and their cross product. */
-export function writeColumns(
-  out: Float64Array,
-  x: number,
-  y: number,
-  z: number,
-  tx: number,
-  ty: number,
-  tz: number,
-): void {
-  out[0] = x;
-  out[1] = y;
-  out[2] = z;
-  out[3] = tx;
-  out[4] = ty;
-  out[5] = tz;
-  out[6] = y * tz - z * ty;
-  out[7] = z * tx - x * tz;
-  out[8] = x * ty - y * tx;
 }

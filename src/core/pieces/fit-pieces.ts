@@ -1,4 +1,5 @@
 import type { Tree } from '../grow/tree.ts';
+import { writeColumns } from '../math/columns.ts';
 import { writeQuaternion } from '../math/quaternion.ts';
 import { type Chains, fitChains } from './chain.ts';
 import {
@@ -9,7 +10,6 @@ import {
   recordParameter,
   recordPoint,
   transportRecord,
-  writeColumns,
 } from './curve.ts';
 import { orderPieces, type PieceOrder } from './order.ts';
 import type { Pieces } from './pieces.ts';

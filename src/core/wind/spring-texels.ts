@@ -1,10 +1,10 @@
+import { writeColumns } from '../math/columns.ts';
 import { across } from '../math/frames.ts';
 import { writeQuaternion } from '../math/quaternion.ts';
 import { unit, type Vec3 } from '../math/vec3.ts';
 import { MECHANICS, MECHANICS_SIZE, POSE_TARGETS, SPRING_LAYERS } from '../pack/layout.ts';
 import type { PackedTree, TexelArray } from '../pack/packed.ts';
 import { layerStart, texelArray } from '../pack/texel-array.ts';
-import { writeColumns } from '../pieces/curve.ts';
 import { SPRING_RATE, springTransition } from './spring.ts';
 import { SPRING_LEVELS, type SpringLevel, type SpringSettings } from './wind.ts';
 

@@ -1,5 +1,5 @@
 /** The shapes that a picture may have: that of the window, or width to height. */
-export const ASPECTS = ['free', '1:1', '4:5', '16:9'] as const;
+export const ASPECTS = ['free', '1:1', '4:5', '16:9', '9:16'] as const;
 export type Aspect = (typeof ASPECTS)[number];
 
 /** A rectangle in pixels. */
@@ -10,13 +10,12 @@ export interface Frame {
   readonly height: number;
 }
 
-/** Pixels that are left free around the frame, and more of them below it for the buttons. */
+/** Pixels that are left free around the frame. */
 const EDGE = 16;
-const FOOT = 84;
 
-/** The largest frame of a shape in the middle of what the buttons leave of a window. */
-export function frameIn(width: number, height: number, aspect: Aspect): Frame {
-  const most = { width: Math.max(1, width - 2 * EDGE), height: Math.max(1, height - EDGE - FOOT) };
+/** The largest frame of a shape in the middle of what is left of a window above its lowest `foot` pixels. */
+export function frameIn(width: number, height: number, aspect: Aspect, foot: number): Frame {
+  const most = { width: Math.max(1, width - 2 * EDGE), height: Math.max(1, height - EDGE - foot) };
   if (aspect === 'free') return { left: EDGE, top: EDGE, ...most };
   const [across, up] = aspect.split(':').map(Number) as [number, number];
   const unit = Math.min(most.width / across, most.height / up);

@@ -8,6 +8,7 @@ import { rendererName } from '../renderer-name.ts';
 import { gale, galeOf, printed, rareWinds } from './check-winds.ts';
 import { checkDeformers } from './deform-checks.ts';
 import { curvePrograms } from './functions/curves.ts';
+import { forestPrograms } from './functions/forests.ts';
 import { leafPrograms } from './functions/leaves.ts';
 import { numberPrograms } from './functions/numbers.ts';
 import { surfacePrograms } from './functions/surfaces.ts';
@@ -46,7 +47,14 @@ async function aspen(): Promise<PackedTree> {
 
 /** All checks in order, a few at a time; the context is lost in the last of them. */
 async function* allChecks(renderer: WebGLRenderer): AsyncGenerator<readonly Check[]> {
-  for (const program of [...numberPrograms, ...curvePrograms, ...surfacePrograms, ...leafPrograms, ...windPrograms]) {
+  for (const program of [
+    ...numberPrograms,
+    ...curvePrograms,
+    ...surfacePrograms,
+    ...leafPrograms,
+    ...forestPrograms,
+    ...windPrograms,
+  ]) {
     yield runProgram(renderer, program);
   }
   const forest = syntheticTree(PIECES);

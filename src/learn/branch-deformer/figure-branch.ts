@@ -43,6 +43,7 @@ export const BRANCH_FIGURE: FigureSpec = {
     };
     const bends = () => [numberOf(host.values(), 'b1'), numberOf(host.values(), 'b2')] as const;
     return {
+      reset: () => orbit.reset(),
       draw(values) {
         plane.begin({ x: [0, 1], y: [0, 1] });
         const { context } = plane;

@@ -77,6 +77,7 @@ export const FRAMES_FIGURE: FigureSpec = {
       };
     };
     return {
+      reset: () => orbit.reset(),
       draw(values) {
         plane.begin({ x: [0, 1], y: [0, 1] });
         const { context } = plane;

@@ -93,6 +93,7 @@ export const NORMALS_FIGURE: FigureSpec = {
     };
     const said = (x: number): string => (x < 0.001 ? 'below 0.001' : x.toFixed(x < 10 ? 3 : 1));
     return {
+      reset: () => orbit.reset(),
       draw(values) {
         plane.begin({ x: [0, 1], y: [0, 1] });
         const colours = host.colours();

@@ -36,6 +36,7 @@ export const SHEET_FIGURE: FigureSpec = {
       return { ...orbit.angles, scale, centre: [LENGTH / 2, 0, -0.1], x: width / 2, y: height / 2 };
     };
     return {
+      reset: () => orbit.reset(),
       draw(values) {
         plane.begin({ x: [0, 1], y: [0, 1] });
         const colours = host.colours();

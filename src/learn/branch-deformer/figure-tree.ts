@@ -1,7 +1,9 @@
-import { choiceOf, type FigureSpec, numberOf } from '../figure.ts';
+import { choiceOf, type FigureSpec, numberOf, type Values } from '../figure.ts';
 import { treeStage } from '../tree-stage.ts';
 
-const MODES = { shaded: 'shaded', wireframe: 'wireframe', control: 'control' } as const;
+const MODES = { leaves: 'shaded', shaded: 'shaded', wireframe: 'wireframe', control: 'control' } as const;
+
+const modeOf = (values: Values) => MODES[choiceOf(values, 'look') as keyof typeof MODES];
 
 export const TREE_FIGURE: FigureSpec = {
   id: 'tree',
@@ -12,14 +14,14 @@ export const TREE_FIGURE: FigureSpec = {
       id: 'look',
       label: 'Look at',
       options: [
+        { value: 'leaves', label: 'bark and leaves' },
         { value: 'shaded', label: 'the bark' },
         { value: 'wireframe', label: 'the sheets' },
         { value: 'control', label: 'the points' },
       ],
-      value: 'control',
+      value: 'leaves',
     },
-    { id: 'levels', label: 'Levels of stems', min: 1, max: 3, step: 1, value: 2 },
-    { id: 'leaves', label: 'Leaves', value: false },
+    { id: 'levels', label: 'Levels of stems', min: 1, max: 3, step: 1, value: 3 },
   ],
   readouts: [
     { id: 'pieces', label: 'Curves' },
@@ -28,14 +30,14 @@ export const TREE_FIGURE: FigureSpec = {
   ],
   moves: true,
   begin: 4,
-  open: (values) => `s=quaking-aspen&seed=1&view=${choiceOf(values, 'look')}`,
+  open: (values) => `s=quaking-aspen&seed=1&view=${modeOf(values)}`,
   stage: treeStage({
     show: (values) => ({
       species: 'quaking-aspen',
       wind: 'fresh-breeze',
       levels: numberOf(values, 'levels'),
-      leaves: values.leaves === true,
-      mode: MODES[choiceOf(values, 'look') as keyof typeof MODES],
+      leaves: choiceOf(values, 'look') === 'leaves',
+      mode: modeOf(values),
     }),
     readouts: ({ grown }) => {
       const { pieceCount } = grown.packed;
@@ -47,8 +49,6 @@ export const TREE_FIGURE: FigureSpec = {
       };
     },
     text: (values, grown) =>
-      grown
-        ? `An aspen of ${grown.packed.pieceCount} curves in a fresh breeze, drawn as ${choiceOf(values, 'look')}.`
-        : '',
+      grown ? `An aspen of ${grown.packed.pieceCount} curves in a fresh breeze, drawn as ${modeOf(values)}.` : '',
   }),
 };

@@ -14,6 +14,10 @@ export class Orbit {
     this.#hand = new OrbitHand(host.canvas, () => host.redraw());
   }
 
+  reset(): void {
+    this.#hand.reset();
+  }
+
   get angles(): Pick<Eye, 'yaw' | 'pitch'> {
     return { yaw: this.#yaw + this.#hand.azimuth, pitch: Math.min(1.5, this.#pitch + this.#hand.elevation) };
   }

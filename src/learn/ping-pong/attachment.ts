@@ -2,8 +2,9 @@ import { bezierPoint, type Cubic } from '../../core/math/bezier.ts';
 import { handlesOf, sectionFrame } from '../../core/math/frames.ts';
 import { add, addScaled, type Vec3 } from '../../core/math/vec3.ts';
 import { attachByAngles } from '../../core/wind/attach-angles.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { type FigureSpec, numberOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { signed } from '../signed.ts';
 import { attachAxes, leanOf, printedAxis } from './printed-axis.ts';
 
@@ -14,6 +15,8 @@ const O: Vec3 = [1, 0, 0];
 /** The child as it was grown: its foot at the origin, along x. */
 const CHILD: Cubic = { p0: [0, 0, 0], p1: [0.35, 0, 0], p2: [0.7, 0.06, 0], p3: [1.02, 0.2, 0] };
 const RADIUS = 0.13;
+/** Where the parent ends at first. */
+const END: Vec3 = [1.5, 0, 1.5];
 
 const flat = ([x, y, z]: Vec3): Point => {
   const away = x * Math.sin(TURN) + y * Math.cos(TURN);
@@ -26,19 +29,12 @@ const lift = (sx: number, sy: number): Vec3 => {
   return [x, 0, (sy - x * Math.sin(TURN) * Math.sin(ABOVE)) / Math.cos(ABOVE)];
 };
 
-class Attachment implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
-  #end: Vec3 = [1.5, 0, 1.5];
-
-  constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
-  }
+class Attachment extends PlaneFigure {
+  #end: Vec3 = END;
 
   draw(values: Values): Record<string, string> {
-    const plane = this.#plane;
-    const colours = this.#host.colours();
+    const plane = this.plane;
+    const colours = this.host.colours();
     const { rest, wrong, answer, level0, soft } = colours;
     const [v, theta, alpha] = this.#of(values);
     const parent = this.#parent();
@@ -79,8 +75,8 @@ class Attachment implements FigureStage {
   }
 
   handles(values: Values) {
-    const plane = this.#plane;
-    const host = this.#host;
+    const plane = this.plane;
+    const host = this.host;
     const parent = this.#parent();
     const [v] = this.#of(values);
     return [
@@ -106,6 +102,10 @@ class Attachment implements FigureStage {
     ];
   }
 
+  reset(): void {
+    this.#end = END;
+  }
+
   text(values: Values): string {
     const [v, theta] = this.#of(values);
     const lean = leanOf(printedAxis(this.#parent(), O, v, theta), attachAxes(this.#parent(), O, v, theta)[0]);
@@ -122,7 +122,7 @@ class Attachment implements FigureStage {
   }
 
   #curve(curve: Cubic, style: { colour: string; width: number }): void {
-    this.#plane.polyline(
+    this.plane.polyline(
       Array.from({ length: 41 }, (_, i) => flat(bezierPoint(curve, i / 40))),
       style,
     );
@@ -131,7 +131,7 @@ class Attachment implements FigureStage {
   /** Rings across the parent: its bark. */
   #tube(parent: Cubic): void {
     const handles = handlesOf(parent, O);
-    const { level0 } = this.#host.colours();
+    const { level0 } = this.host.colours();
     for (let k = 0; k <= 14; k++) {
       const u = k / 14;
       const at = bezierPoint(parent, u);
@@ -150,8 +150,8 @@ class Attachment implements FigureStage {
           ),
         );
       });
-      this.#plane.area(ring, { colour: level0, alpha: 0.1 });
-      this.#plane.polyline(ring, { colour: level0, width: 1, alpha: 0.55 });
+      this.plane.area(ring, { colour: level0, alpha: 0.1 });
+      this.plane.polyline(ring, { colour: level0, width: 1, alpha: 0.55 });
     }
   }
 }

@@ -1,7 +1,8 @@
 import { arcLength, bezierPoint, type Cubic } from '../../core/math/bezier.ts';
 import { dot, length, subtract, unit, type Vec3 } from '../../core/math/vec3.ts';
-import { choiceOf, type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { choiceOf, type FigureSpec, numberOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { signed } from '../signed.ts';
 import { bentBranch, type StepForm, uprightBranch } from './printed-step.ts';
 
@@ -15,18 +16,10 @@ const formOf = (values: Values): StepForm => {
   return form === 'printed' || form === 'units' ? form : 'ours';
 };
 
-class Bending implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
-
-  constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
-  }
-
+class Bending extends PlaneFigure {
   draw(values: Values): Record<string, string> {
-    const plane = this.#plane;
-    const { rest: grey, answer, wrong, force, line, soft } = this.#host.colours();
+    const plane = this.plane;
+    const { rest: grey, answer, wrong, force, line, soft } = this.host.colours();
     const form = formOf(values);
     const b = numberOf(values, 'force');
     const rest = uprightBranch(numberOf(values, 'length'), LEAN);
@@ -62,12 +55,12 @@ class Bending implements FigureStage {
   }
 
   handles(values: Values) {
-    const host = this.#host;
+    const host = this.host;
     const rest = uprightBranch(numberOf(values, 'length'), LEAN);
     const tip = flat(rest.p3);
     const b = numberOf(values, 'force');
     return [
-      this.#plane.handle({
+      this.plane.handle({
         id: 'force',
         label: 'Force of the wind',
         at: [tip[0] + REACH * b, tip[1]],
@@ -76,7 +69,7 @@ class Bending implements FigureStage {
         said: `a bend of ${b}`,
         move: (x) => host.set('force', (x - tip[0]) / REACH),
       }),
-      this.#plane.handle({
+      this.plane.handle({
         id: 'length',
         label: 'Tip of the branch at rest',
         at: [tip[0], tip[1] + (b === 0 ? 0.12 : 0)],
@@ -98,13 +91,13 @@ class Bending implements FigureStage {
     // Tapering: the last part is the thinnest.
     for (let i = 0; i < 40; i++) {
       const [a, b] = [bezierPoint(curve, i / 40), bezierPoint(curve, (i + 1.2) / 40)];
-      this.#plane.line(flat(a), flat(b), { colour, width: width * (1 - (0.75 * i) / 40), alpha });
+      this.plane.line(flat(a), flat(b), { colour, width: width * (1 - (0.75 * i) / 40), alpha });
     }
   }
 
   #polygon({ p0, p1, p2, p3 }: Cubic, colour: string): void {
-    this.#plane.polyline([p0, p1, p2, p3].map(flat), { colour, width: 1, dash: [4, 4] });
-    for (const p of [p0, p1, p2, p3]) this.#plane.dot(flat(p), 3.5, { colour });
+    this.plane.polyline([p0, p1, p2, p3].map(flat), { colour, width: 1, dash: [4, 4] });
+    for (const p of [p0, p1, p2, p3]) this.plane.dot(flat(p), 3.5, { colour });
   }
 }
 

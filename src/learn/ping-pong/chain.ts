@@ -4,7 +4,7 @@ import { layerStart, texelArray } from '../../core/pack/texel-array.ts';
 import { bendWeights } from '../../core/wind/bend.ts';
 import { createWindState, windStateAt } from '../../core/wind/fade.ts';
 import { type PiecesToPose, planeOf, poseOf, poseTreePlainly } from '../../core/wind/pose-plainly.ts';
-import { DEFAULT_GUST, type Wind } from '../../core/wind/wind.ts';
+import { DEFAULT_GUST, type Gust, type Wind } from '../../core/wind/wind.ts';
 import { windOf } from '../sum-of-sines/waves.ts';
 
 /** Branches of a metre, each on the tip of the one before and turned to either side in turn; the lowest alone bends. */
@@ -29,12 +29,18 @@ export function chainOfBranches(levels: number): PiecesToPose {
   return tree;
 }
 
-/** A wind that is the same everywhere from time 0 on: a gust that has risen. */
-const steady = (push: number): Wind =>
-  windOf([], {
-    gusts: [{ ...DEFAULT_GUST, start: -1e4, amplitude: push, rise: 1, fall: 1e7, width: 0, speed: 1e6 }],
-    lengthExponent: 0,
-  });
+/** A gust that is the same everywhere and has risen long ago. */
+export const steadyGust = (push: number): Gust => ({
+  ...DEFAULT_GUST,
+  start: -1e4,
+  amplitude: push,
+  rise: 1,
+  fall: 1e7,
+  width: 0,
+  speed: 1e6,
+});
+
+const steady = (push: number): Wind => windOf([], { gusts: [steadyGust(push)], lengthExponent: 0 });
 
 export interface Impulse {
   readonly tree: PiecesToPose;

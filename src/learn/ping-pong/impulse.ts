@@ -73,6 +73,10 @@ class Impulses implements FigureStage {
     ];
   }
 
+  reset(): void {
+    this.#ahead = 0;
+  }
+
   text(): string {
     const count = (this.#made?.run.tree.pieceCount ?? 5) + 1;
     return `At step ${this.#step(count)}: each step brings one more level to its place.`;

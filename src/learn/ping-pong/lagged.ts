@@ -1,9 +1,10 @@
 import type { PackedTree } from '../../core/pack/packed.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import { DEFAULT_WAVE } from '../../core/wind/wind.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
+import { type FigureHost, type FigureSpec, numberOf, type Values } from '../figure.ts';
 import { marginsOf } from '../panels.ts';
 import { Plane } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { windOf } from '../sum-of-sines/waves.ts';
 import { windLink } from '../wind-link.ts';
 import { apartByDepth, type BothPoses, bothPoses } from './lag-run.ts';
@@ -16,11 +17,9 @@ export const swell = (amplitude: number, frequency: number): Wind =>
     pose: 'lagged',
   });
 
-class Lagged implements FigureStage {
-  readonly #host: FigureHost;
+class Lagged extends PlaneFigure {
   readonly #tree: PackedTree;
   readonly #drawing: TreeDrawing;
-  readonly #plane: Plane;
   readonly #bars: Plane;
   #values: Values | null = null;
   #most: number[] = [];
@@ -28,10 +27,9 @@ class Lagged implements FigureStage {
   #last: { step: number; poses: BothPoses } | null = null;
 
   constructor(host: FigureHost) {
-    this.#host = host;
+    super(host);
     this.#tree = smallTree().packed;
     this.#drawing = new TreeDrawing(this.#tree);
-    this.#plane = new Plane(host);
     this.#bars = new Plane(host);
   }
 
@@ -48,13 +46,13 @@ class Lagged implements FigureStage {
       for (let n = 0; n < 40; n++) this.#measure(wind, Math.round((turns * n) / 40), rate);
     }
     const poses = this.#measure(wind, Math.floor(time * rate), rate);
-    const { size } = this.#host;
+    const { size } = this.host;
     const bars = { x: [0.56, 1] } as const;
-    this.#plane.begin({ x: [-2.6, 2.8], y: [-0.1, 6.2], equal: true, margin: marginsOf(size, { x: [0, 0.56] }) });
-    const colours = this.#host.colours();
-    this.#plane.line([this.#plane.x[0], 0], [this.#plane.x[1], 0], { colour: colours.line, width: 1 });
-    this.#drawing.draw(this.#plane, poses.exact, colours, () => ({ colour: colours.rest, wider: 2, alpha: 0.5 }));
-    this.#drawing.draw(this.#plane, poses.lagged, colours, () => ({ colour: colours.answer }));
+    this.plane.begin({ x: [-2.6, 2.8], y: [-0.1, 6.2], equal: true, margin: marginsOf(size, { x: [0, 0.56] }) });
+    const colours = this.host.colours();
+    this.plane.line([this.plane.x[0], 0], [this.plane.x[1], 0], { colour: colours.line, width: 1 });
+    this.#drawing.draw(this.plane, poses.exact, colours, () => ({ colour: colours.rest, wider: 2, alpha: 0.5 }));
+    this.#drawing.draw(this.plane, poses.lagged, colours, () => ({ colour: colours.answer }));
     this.#chart(bars, rate);
     const last = this.#most.length - 1;
     const bound = (last / rate) * (this.#fastest[last] ?? 0);
@@ -86,10 +84,10 @@ class Lagged implements FigureStage {
 
   #chart(part: Parameters<typeof marginsOf>[1], rate: number): void {
     const bars = this.#bars;
-    const { wrong, soft, ink, hairline } = this.#host.colours();
+    const { wrong, soft, ink, hairline } = this.host.colours();
     const bounds = this.#most.map((_, d) => ((1000 * d) / rate) * (this.#fastest[d] ?? 0));
     const most = Math.max(1, ...bounds, ...this.#most.map((m) => 1000 * m)) * 1.25;
-    const margin = marginsOf(this.#host.size, part, { left: 62, right: 14, top: 40, bottom: 30 });
+    const margin = marginsOf(this.host.size, part, { left: 62, right: 14, top: 40, bottom: 30 });
     bars.begin({ x: [0, most], y: [-0.5, this.#most.length - 0.5], margin }, { keep: true });
     bars.text([0, this.#most.length - 0.5], 'off by, mm', {
       colour: soft,

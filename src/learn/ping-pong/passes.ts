@@ -1,8 +1,9 @@
 import { PIECE_LAYERS } from '../../core/pack/layout.ts';
 import type { PackedTree } from '../../core/pack/packed.ts';
 import { layerStart } from '../../core/pack/texel-array.ts';
-import { choiceOf, type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { choiceOf, type FigureHost, type FigureSpec, numberOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { depthOf } from './lag-run.ts';
 import { smallTree } from './small-tree.ts';
 import { TexelGrid } from './texel-grid.ts';
@@ -10,22 +11,19 @@ import { TexelGrid } from './texel-grid.ts';
 /** Rows between the two sets, for the lines. */
 const GAP = 4;
 
-class Passes implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
+class Passes extends PlaneFigure {
   readonly #tree: PackedTree;
   readonly #sets: readonly [TexelGrid, TexelGrid];
 
   constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
+    super(host);
     this.#tree = smallTree().packed;
     const { width, height } = this.#tree.pieces;
     this.#sets = [new TexelGrid(width, height, 0, 2 * height + GAP), new TexelGrid(width, height, 0, height)];
   }
 
   draw(values: Values): Record<string, string> {
-    const plane = this.#plane;
+    const plane = this.plane;
     const tree = this.#tree;
     const { width, height } = tree.pieces;
     const exact = choiceOf(values, 'way') === 'exact';
@@ -36,7 +34,7 @@ class Passes implements FigureStage {
       : pass % 2 === 0
         ? ['read: the step before', 'written: this step']
         : ['written: this step', 'read: the step before'];
-    const { hairline, force, level0, level1, level2, level3, line, soft } = this.#host.colours();
+    const { hairline, force, level0, level1, level2, level3, line, soft } = this.host.colours();
     const levels = [level0, level1, level2, level3];
     const written = (piece: number, set: number): boolean =>
       exact ? depthOf(tree, piece) === pass && set === pass % 2 : set === 1 - (pass % 2);
@@ -45,8 +43,6 @@ class Passes implements FigureStage {
       return exact ? depth < pass && depth % 2 === set : set === pass % 2;
     };
     this.#sets.forEach((grid, set) => {
-      const [x, y] = grid.at(0);
-      plane.text([x - 0.5, y + 0.5], names[set] ?? '', { size: 13, colour: soft, shift: [0, -8] });
       for (let i = 0; i < width * height; i++) {
         const there = i < tree.pieceCount;
         const depth = there ? depthOf(tree, i) : 0;
@@ -57,6 +53,10 @@ class Passes implements FigureStage {
     });
     const links = this.#links(exact ? pass : null, exact ? pass % 2 : 1 - (pass % 2));
     for (const [from, to] of links) plane.line(from, to, { colour: force, width: 1, alpha: exact ? 0.7 : 0.35 });
+    // Over the lines.
+    this.#sets.forEach((grid, set) => {
+      plane.text([grid.x, grid.y], names[set] ?? '', { size: 13, colour: soft, shift: [0, -8] });
+    });
     const count = exact ? (tree.depthStart[pass + 1] ?? 0) - (tree.depthStart[pass] ?? 0) : tree.pieceCount;
     const depths = tree.depthStart.length - 1;
     return {

@@ -30,6 +30,19 @@ export class TexelGrid {
     context.globalAlpha = 1;
   }
 
+  /** A stripe along the lower edge of a cell. */
+  strip(plane: Plane, i: number, colour: string, alpha = 1): void {
+    const [x, y] = this.at(i);
+    const [left, low] = plane.toPixel(x - 0.5, y - 0.5);
+    const [right] = plane.toPixel(x + 0.5, y);
+    const high = Math.max(2, 0.22 * plane.scale[1]);
+    const { context } = plane;
+    context.globalAlpha = alpha;
+    context.fillStyle = colour;
+    context.fillRect(left + 0.5, low - 0.5 - high, right - left - 1, high);
+    context.globalAlpha = 1;
+  }
+
   outline(plane: Plane, i: number, colour: string, width = 2.5): void {
     const [x, y] = this.at(i);
     const h = 0.5;

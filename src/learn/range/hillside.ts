@@ -2,8 +2,8 @@ import { calibratedRange } from '../../core/lod/calibrated-range.ts';
 import { STEM_FORM } from '../../core/lod/draw-counts.ts';
 import { fractions } from '../../core/lod/fractions.ts';
 import { hashPcg, hashUnit } from '../../core/math/hash.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane } from '../plane.ts';
+import { type FigureSpec, numberOf, type Values } from '../figure.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 
 /** Stems and leaves of the paper's aspen, as Table 2 tells them. */
 const ASPEN = { main: 30, other: 739, leaves: 13_312 } as const;
@@ -23,18 +23,10 @@ function elements(r2: number): number {
   );
 }
 
-class Hillside implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
-
-  constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
-  }
-
+class Hillside extends PlaneFigure {
   draw(values: Values): Record<string, string> {
-    const c = this.#host.colours();
-    const p = this.#plane;
+    const c = this.host.colours();
+    const p = this.plane;
     const [trees, fov, rows] = ['trees', 'fov', 'rows'].map((id) => numberOf(values, id)) as [number, number, number];
     p.begin({ x: [-60, FARTHEST], y: [-520, 520], equal: true });
     // The wedge is as wide as a picture of 16 : 9 sees.

@@ -3,8 +3,8 @@ import type { Tree } from '../../core/grow/tree.ts';
 import { massesDrawn } from '../../core/lod/masses.ts';
 import { spreadOrder } from '../../core/pack/spread.ts';
 import type { Species } from '../../core/species/species.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane } from '../plane.ts';
+import { type FigureHost, type FigureSpec, numberOf, type Values } from '../figure.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 
 /** A mass of the middle picture; the paper takes 4 of leaves, more show better what a mass is. */
 const MASS = 16;
@@ -27,23 +27,20 @@ function leafPlaces({ stems, leaves }: Tree): Float32Array {
   return places;
 }
 
-class Prefix implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
+class Prefix extends PlaneFigure {
   readonly #places: Float32Array;
   readonly #order: Uint32Array;
 
   constructor(host: FigureHost, aspen: Species) {
-    this.#host = host;
-    this.#plane = new Plane(host);
+    super(host);
     this.#places = leafPlaces(grow(aspen, 4));
     this.#order = spreadOrder(this.#places.length / 2);
   }
 
   draw(values: Values): Record<string, string> {
-    const c = this.#host.colours();
-    const p = this.#plane;
-    const { width } = this.#host.size;
+    const c = this.host.colours();
+    const p = this.plane;
+    const { width } = this.host.size;
     const part = numberOf(values, 'part') / 100;
     const all = this.#places.length / 2;
     const wanted = Math.round(part * all);

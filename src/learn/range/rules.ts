@@ -8,16 +8,9 @@ import {
 } from '../../core/lod/fractions.ts';
 import { TABLE_2, TABLE_RANGES, type TableRow } from '../../core/lod/table-2.ts';
 import { SEASONS, type Season } from '../../core/species/season.ts';
-import {
-  type Colours,
-  choiceOf,
-  type FigureHost,
-  type FigureSpec,
-  type FigureStage,
-  numberOf,
-  type Values,
-} from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { type Colours, choiceOf, type FigureSpec, numberOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 
 /** The curves of the plot: an item, as what, and the row of Table 2 that counts it. */
 const CURVES: readonly {
@@ -49,19 +42,11 @@ function drawnPart(item: Item, as: keyof Fraction, range: number, options: Fract
   return item === 'leaves' && as === 'thin' ? Math.max(part, 1 / POINT_MASS) : part;
 }
 
-class Rules implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
-
-  constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
-  }
-
+class Rules extends PlaneFigure {
   draw(values: Values): Record<string, string> {
-    const c = this.#host.colours();
-    const p = this.#plane;
-    const { height } = this.#host.size;
+    const c = this.host.colours();
+    const p = this.plane;
+    const { height } = this.host.size;
     const season = choiceOf(values, 'season') as Season;
     const options = { quality: numberOf(values, 'quality'), season };
     const range = numberOf(values, 'range');
@@ -112,7 +97,7 @@ class Rules implements FigureStage {
   }
 
   handles(values: Values) {
-    const p = this.#plane;
+    const p = this.plane;
     const x = Math.log10(numberOf(values, 'range'));
     return [
       p.handle({
@@ -121,7 +106,7 @@ class Rules implements FigureStage {
         at: [x, 0],
         ways: 'across',
         said: `${numberOf(values, 'range')} metres`,
-        move: (to) => this.#host.set('range', 10 ** to),
+        move: (to) => this.host.set('range', 10 ** to),
       }),
     ];
   }

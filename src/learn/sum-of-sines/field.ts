@@ -1,7 +1,8 @@
 import { speedOfForce } from '../../core/wind/speed.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
+import { type FigureHost, type FigureSpec, numberOf, type Values } from '../figure.ts';
 import { marginsOf } from '../panels.ts';
 import { Plane, type Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { signed } from '../signed.ts';
 import { windLink } from '../wind-link.ts';
 import { ForceMap } from './force-map.ts';
@@ -20,37 +21,37 @@ const windFor = (values: Values) =>
     someWaves(numberOf(values, 'waves'), numberOf(values, 'sharpness'), HEADING, numberOf(values, 'spread') * DEGREE),
   );
 
-class Field implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
+/** Where it is asked at first, metres. */
+const PROBE: Point = [8, -3];
+
+class Field extends PlaneFigure {
   readonly #trace: Plane;
   readonly #map: ForceMap;
-  #probe: Point = [8, -3];
+  #probe: Point = PROBE;
   #asked = new AskedWind(windOf([]));
   #values: Values | null = null;
   #now = 0;
 
   constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
+    super(host);
     this.#trace = new Plane(host);
     this.#map = new ForceMap(host);
   }
 
   draw(values: Values, time: number): Record<string, string> {
-    const host = this.#host;
+    const host = this.host;
     if (values !== this.#values) this.#asked = new AskedWind(windFor(values));
     this.#values = values;
     this.#now = time;
     const asked = this.#asked;
     const margin = marginsOf(host.size, { y: [0, SPLIT] }, { top: 0, left: 0, right: 0, bottom: 0 });
-    this.#plane.begin({ x: [-30, 30], y: [-9, 9], equal: true, margin });
-    this.#map.draw(this.#plane, (x, y) => asked.at(x, y, time), MOST);
+    this.plane.begin({ x: [-30, 30], y: [-9, 9], equal: true, margin });
+    this.#map.draw(this.plane, (x, y) => asked.at(x, y, time), MOST);
     this.#scale();
     const [x, y] = this.#probe;
     const force = asked.at(x, y, time);
     const { ink, answer } = host.colours();
-    this.#plane.arrow([x, y], [x + 30 * force[0], y + 30 * force[1]], { colour: ink, width: 3 });
+    this.plane.arrow([x, y], [x + 30 * force[0], y + 30 * force[1]], { colour: ink, width: 3 });
     const mean = this.#past(time, answer);
     const size = Math.hypot(...force);
     return { force: size.toFixed(3), speed: speedOfForce(size).toFixed(1), mean: mean.toFixed(3) };
@@ -59,19 +60,23 @@ class Field implements FigureStage {
   handles() {
     const [x, y] = this.#probe;
     return [
-      this.#plane.handle({
+      this.plane.handle({
         id: 'probe',
         label: 'Probe',
         at: this.#probe,
         said: `${signed(x, 0)} metres along, ${signed(y, 0)} metres aside`,
         move: (to, up) => {
-          const { x: across, y: over } = this.#plane;
+          const { x: across, y: over } = this.plane;
           const within = (v: number, [a, b]: readonly [number, number]) => Math.min(Math.max(v, a + 1), b - 1);
           this.#probe = [within(to, across), within(up, over)];
-          this.#host.redraw();
+          this.host.redraw();
         },
       }),
     ];
+  }
+
+  reset(): void {
+    this.#probe = PROBE;
   }
 
   text(): string {
@@ -80,15 +85,15 @@ class Field implements FigureStage {
   }
 
   #scale(): void {
-    const { x, y } = this.#plane;
+    const { x, y } = this.plane;
     const [left, low] = [x[0] + 1.2, y[0] + 1];
-    this.#plane.line([left, low], [left + 10, low], { width: 2 });
-    this.#plane.text([left + 5, low], '10 m', { align: 'center', baseline: 'bottom', shift: [0, -3], size: 12 });
+    this.plane.line([left, low], [left + 10, low], { width: 2 });
+    this.plane.text([left + 5, low], '10 m', { align: 'center', baseline: 'bottom', shift: [0, -3], size: 12 });
   }
 
   /** The last seconds at the probe; their mean. */
   #past(time: number, colour: string): number {
-    const host = this.#host;
+    const host = this.host;
     const margin = marginsOf(host.size, { y: [SPLIT, 1] }, { top: 14, bottom: 24, left: 44, right: 14 });
     this.#trace.begin({ x: [-PAST, 0], y: [0, 0.3], margin }, { keep: true });
     this.#trace.axes({ x: 'seconds ago', y: 'force at the probe, m' }, 5, 0.1);

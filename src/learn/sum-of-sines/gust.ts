@@ -1,8 +1,9 @@
 import { gustArrival } from '../../core/wind/gust.ts';
 import { DEFAULT_GUST, type Gust, type Wind } from '../../core/wind/wind.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
+import { type FigureHost, type FigureSpec, numberOf, type Values } from '../figure.ts';
 import { marginsOf } from '../panels.ts';
 import { Plane, type Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { windLink } from '../wind-link.ts';
 import { ForceMap } from './force-map.ts';
 import { AskedWind, windOf } from './waves.ts';
@@ -49,33 +50,36 @@ export function firstFelt(wind: Wind, [x, y]: Point, until: number): number | nu
   return high;
 }
 
-class GustFront implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
+/** Where the gust starts and where it is asked at first, metres. */
+const [FROM, PROBE]: [Point, Point] = [
+  [-24, 0],
+  [14, 3],
+];
+
+class GustFront extends PlaneFigure {
   readonly #trace: Plane;
   readonly #map: ForceMap;
-  #from: Point = [-24, 0];
-  #probe: Point = [14, 3];
+  #from: Point = FROM;
+  #probe: Point = PROBE;
 
   constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
+    super(host);
     this.#trace = new Plane(host);
     this.#map = new ForceMap(host);
   }
 
   draw(values: Values, time: number): Record<string, string> {
-    const host = this.#host;
+    const host = this.host;
     const now = time % LOOP;
     const wind = windFor(values, this.#from);
     const asked = new AskedWind(wind);
     const margin = marginsOf(host.size, { y: [0, SPLIT] }, { top: 0, left: 0, right: 0, bottom: 0 });
-    this.#plane.begin({ x: [-30, 30], y: [-9, 9], equal: true, margin });
-    this.#map.draw(this.#plane, (x, y) => asked.at(x, y, now), PEAK);
+    this.plane.begin({ x: [-30, 30], y: [-9, 9], equal: true, margin });
+    this.#map.draw(this.plane, (x, y) => asked.at(x, y, now), PEAK);
     const gust = gustFor(values, this.#from);
     const ahead: Point = [Math.cos(gust.direction), Math.sin(gust.direction)];
     const { ink } = host.colours();
-    this.#plane.line(this.#from, [this.#from[0] + 99 * ahead[0], this.#from[1] + 99 * ahead[1]], {
+    this.plane.line(this.#from, [this.#from[0] + 99 * ahead[0], this.#from[1] + 99 * ahead[1]], {
       colour: ink,
       width: 1,
       dash: [2, 5],
@@ -94,29 +98,34 @@ class GustFront implements FigureStage {
   handles() {
     const clamp = (x: number, y: number): Point => {
       const within = (v: number, [a, b]: readonly [number, number]) => Math.min(Math.max(v, a + 1), b - 1);
-      return [within(x, this.#plane.x), within(y, this.#plane.y)];
+      return [within(x, this.plane.x), within(y, this.plane.y)];
     };
     return [
-      this.#plane.handle({
+      this.plane.handle({
         id: 'from',
         label: 'Start of the gust',
         at: this.#from,
-        colour: this.#host.colours().velocity,
+        colour: this.host.colours().velocity,
         move: (x, y) => {
           this.#from = clamp(x, y);
-          this.#host.redraw();
+          this.host.redraw();
         },
       }),
-      this.#plane.handle({
+      this.plane.handle({
         id: 'probe',
         label: 'Probe',
         at: this.#probe,
         move: (x, y) => {
           this.#probe = clamp(x, y);
-          this.#host.redraw();
+          this.host.redraw();
         },
       }),
     ];
+  }
+
+  reset(): void {
+    this.#from = FROM;
+    this.#probe = PROBE;
   }
 
   text(values: Values): string {
@@ -129,17 +138,17 @@ class GustFront implements FigureStage {
     const far = Math.max(0, (now - start) * speed);
     const [x, y] = [this.#from[0] + far * dx, this.#from[1] + far * dy];
     const half = width / 2;
-    this.#plane.line([x - half * dy, y + half * dx], [x + half * dy, y - half * dx], {
-      colour: this.#host.colours().velocity,
+    this.plane.line([x - half * dy, y + half * dx], [x + half * dy, y - half * dx], {
+      colour: this.host.colours().velocity,
       width: 2,
     });
   }
 
   #past(asked: AskedWind, now: number, arrives: number): void {
-    const { size } = this.#host;
+    const { size } = this.host;
     const margin = marginsOf(size, { y: [SPLIT, 1] }, { top: 14, bottom: 26, left: 44, right: 14 });
     const trace = this.#trace;
-    const { force, velocity, soft, answer } = this.#host.colours();
+    const { force, velocity, soft, answer } = this.host.colours();
     trace.begin({ x: [0, LOOP], y: [0, 1.2 * PEAK], margin }, { keep: true });
     trace.axes({ x: 'seconds', y: 'force at the probe, m' }, 2, 0.1);
     const push = (t: number): number => Math.hypot(...asked.at(...this.#probe, t));

@@ -1,7 +1,8 @@
 import { meanPush } from '../../core/wind/force.ts';
 import type { Wind } from '../../core/wind/wind.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, switchOf, type Values } from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { type FigureSpec, numberOf, switchOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { windLink } from '../wind-link.ts';
 import { AskedWind, someWaves, windOf } from './waves.ts';
 
@@ -34,24 +35,17 @@ export function measuredMean(wind: Wind, rate = 2, seconds = 3600): Point {
   return [x, y];
 }
 
-class Lean implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
+class Lean extends PlaneFigure {
   #heading = 0.4;
   #wind = windOf([]);
   #asked = new AskedWind(this.#wind);
   #mean: Point = [0, 0];
   #made: readonly [Values, number] | null = null;
 
-  constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
-  }
-
   draw(values: Values, time: number): Record<string, string> {
     if (!this.#made || this.#made[0] !== values || this.#made[1] !== this.#heading) this.#make(values);
-    const plane = this.#plane;
-    const { force, rest, answer, soft, line } = this.#host.colours();
+    const plane = this.plane;
+    const { force, rest, answer, soft, line } = this.host.colours();
     plane.begin({ x: [-0.1, EDGE], y: [-0.16, 0.16], equal: true });
     for (const radius of [0.1, 0.2, 0.3]) plane.circle([0, 0], radius, { colour: line, width: 1, alpha: 0.5 });
     for (const radius of [0.1, 0.2]) plane.text([radius, 0], `${radius} m`, { size: 12, colour: soft, shift: [4, -4] });
@@ -82,15 +76,15 @@ class Lean implements FigureStage {
   handles() {
     const far = 0.26;
     return [
-      this.#plane.handle({
+      this.plane.handle({
         id: 'heading',
         label: 'Direction of the wind',
         at: [far * Math.cos(this.#heading), far * Math.sin(this.#heading)],
-        colour: this.#host.colours().rest,
+        colour: this.host.colours().rest,
         said: `${((this.#heading * 180) / Math.PI).toFixed(0)} degrees`,
         move: (x, y) => {
           this.#heading = Math.atan2(y, x);
-          this.#host.redraw();
+          this.host.redraw();
         },
       }),
     ];

@@ -1,29 +1,14 @@
 import { meanPush } from '../../core/wind/force.ts';
-import {
-  choiceOf,
-  type FigureHost,
-  type FigureSpec,
-  type FigureStage,
-  numberOf,
-  switchOf,
-  type Values,
-} from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { choiceOf, type FigureSpec, numberOf, switchOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { signed } from '../signed.ts';
 import { periodOf, printedPush, sharpPush } from './sharp-push.ts';
 
-class Sharpness implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
-
-  constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
-  }
-
+class Sharpness extends PlaneFigure {
   draw(values: Values): Record<string, string> {
-    const plane = this.#plane;
-    const { answer, wrong, rest, soft } = this.#host.colours();
+    const plane = this.plane;
+    const { answer, wrong, rest, soft } = this.host.colours();
     const [k, zeroMean] = [numberOf(values, 'k'), switchOf(values, 'zero')];
     const printed = choiceOf(values, 'form') === 'printed';
     const push = (printed ? printedPush : sharpPush)(k, zeroMean);
@@ -48,14 +33,14 @@ class Sharpness implements FigureStage {
     if (choiceOf(values, 'form') === 'printed' || switchOf(values, 'zero')) return [];
     const k = numberOf(values, 'k');
     return [
-      this.#plane.handle({
+      this.plane.handle({
         id: 'half',
         label: 'Halfway up the slope',
         at: [1, 2 ** -k],
         ways: 'up',
-        colour: this.#host.colours().answer,
+        colour: this.host.colours().answer,
         said: `k is ${k}`,
-        move: (_, y) => this.#host.set('k', -Math.log2(Math.min(0.99, Math.max(0.001, y)))),
+        move: (_, y) => this.host.set('k', -Math.log2(Math.min(0.99, Math.max(0.001, y)))),
       }),
     ];
   }
@@ -69,7 +54,7 @@ class Sharpness implements FigureStage {
 
   /** The curve, filled; where it has no value, hatched along the axis. */
   #curve(push: (turns: number) => number, colour: string): void {
-    const plane = this.#plane;
+    const plane = this.plane;
     let part: Point[] = [];
     const flush = (): void => {
       const [first, last] = [part[0], part.at(-1)];
@@ -79,7 +64,7 @@ class Sharpness implements FigureStage {
       }
       part = [];
     };
-    const { wrong } = this.#host.colours();
+    const { wrong } = this.host.colours();
     for (let i = 0; i <= 800; i++) {
       const x = -0.25 + (2 * i) / 800;
       const y = push(x);

@@ -1,7 +1,8 @@
 import { kaimalDensity } from '../../core/wind/kaimal.ts';
 import { dominantFrequency, type Spectrum, spectrumOf } from '../../core/wind/spectrum.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { type FigureSpec, numberOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { AskedWind, someWaves, windOf } from './waves.ts';
 
 const RATE = 12;
@@ -34,21 +35,14 @@ function make(values: Values): Made {
   };
 }
 
-class Spectra implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
+class Spectra extends PlaneFigure {
   #made: Made | null = null;
-
-  constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
-  }
 
   draw(values: Values): Record<string, string> {
     if (this.#made?.values !== values) this.#made = make(values);
     const { spectrum, variance, lines } = this.#made;
-    const plane = this.#plane;
-    const { force, rest, soft, velocity } = this.#host.colours();
+    const plane = this.plane;
+    const { force, rest, soft, velocity } = this.host.colours();
     plane.begin({ x: X, y: Y, margin: { left: 52, bottom: 40, top: 14, right: 16 } });
     this.#decades();
     const log = (v: number): number => Math.log10(Math.max(v, 1e-30));
@@ -80,13 +74,13 @@ class Spectra implements FigureStage {
   handles(values: Values) {
     const at = numberOf(values, 'marker');
     return [
-      this.#plane.handle({
+      this.plane.handle({
         id: 'marker',
         label: 'Frequency',
         at: [Math.log10(at), Math.max(Y[0], Math.log10(Math.max(this.#read(at), 1e-30)))],
         ways: 'across',
         said: `${at.toFixed(2)} hertz`,
-        move: (x) => this.#host.set('marker', 10 ** x),
+        move: (x) => this.host.set('marker', 10 ** x),
       }),
     ];
   }
@@ -104,8 +98,8 @@ class Spectra implements FigureStage {
   }
 
   #decades(): void {
-    const plane = this.#plane;
-    const { hairline, soft, line } = this.#host.colours();
+    const plane = this.plane;
+    const { hairline, soft, line } = this.host.colours();
     for (let decade = -2; decade <= 0; decade++) {
       plane.line([decade, Y[0]], [decade, Y[1]], { colour: hairline, width: 1 });
       plane.text([decade, Y[0]], String(10 ** decade), {

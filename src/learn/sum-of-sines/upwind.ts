@@ -1,23 +1,16 @@
-import { choiceOf, type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { choiceOf, type FigureSpec, numberOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { signed } from '../signed.ts';
 import { alongX, crestNear, crestSpeed } from './crest.ts';
 import { AskedWind } from './waves.ts';
 
 const WIDE = 36;
 
-class Upwind implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
-
-  constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
-  }
-
+class Upwind extends PlaneFigure {
   draw(values: Values, time: number): Record<string, string> {
-    const plane = this.#plane;
-    const { force, wrong, answer, velocity, line, soft } = this.#host.colours();
+    const plane = this.plane;
+    const { force, wrong, answer, velocity, line, soft } = this.host.colours();
     const printed = choiceOf(values, 'form') === 'printed';
     const [wavelength, speed] = [numberOf(values, 'wavelength'), numberOf(values, 'speed')];
     const asked = new AskedWind(alongX(wavelength, speed, printed));
@@ -67,7 +60,7 @@ class Upwind implements FigureStage {
 
   /** Blades that lean as they are pushed. */
   #grass(push: (x: number) => number, colour: string): void {
-    const plane = this.#plane;
+    const plane = this.plane;
     for (let i = 0; i < 90; i++) {
       // Uneven, and the same in every frame.
       const x = ((i + 0.5 * Math.sin(7 * i)) * WIDE) / 89;

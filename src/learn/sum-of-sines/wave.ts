@@ -1,6 +1,7 @@
 import { DEFAULT_WAVE } from '../../core/wind/wind.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { type FigureHost, type FigureSpec, numberOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { signed } from '../signed.ts';
 import { windLink } from '../wind-link.ts';
 import { ForceMap } from './force-map.ts';
@@ -24,23 +25,20 @@ const windFor = (values: Values) =>
     },
   ]);
 
-class Wave implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
+class Wave extends PlaneFigure {
   readonly #map: ForceMap;
 
   constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
+    super(host);
     this.#map = new ForceMap(host);
   }
 
   draw(values: Values, time: number): Record<string, string> {
-    const plane = this.#plane;
+    const plane = this.plane;
     const asked = new AskedWind(windFor(values));
     plane.begin({ x: [-24, 24], y: [-13, 13], equal: true, margin: { top: 0, right: 0, bottom: 0, left: 0 } });
     this.#map.draw(plane, (x, y) => asked.at(x, y, time), 0.4);
-    const { ink, force } = this.#host.colours();
+    const { ink, force } = this.host.colours();
     const [tip, back] = this.#places(values);
     const wavelength = numberOf(values, 'wavelength');
     const along: Point = [-back[0] / wavelength, -back[1] / wavelength];
@@ -64,9 +62,9 @@ class Wave implements FigureStage {
 
   handles(values: Values) {
     const [tip, back] = this.#places(values);
-    const host = this.#host;
+    const host = this.host;
     return [
-      this.#plane.handle({
+      this.plane.handle({
         id: 'tip',
         label: 'Tip of the wave’s arrow',
         at: tip,
@@ -77,7 +75,7 @@ class Wave implements FigureStage {
           host.set('direction', (Math.atan2(y, x) * 180) / Math.PI);
         },
       }),
-      this.#plane.handle({
+      this.plane.handle({
         id: 'crest',
         label: 'The crest before',
         at: back,

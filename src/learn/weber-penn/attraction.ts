@@ -1,7 +1,8 @@
 import { attractAsPrinted, attractUp, curveUp, declinationOf } from '../../core/grow/attraction.ts';
 import { type Frame, newFrame, turnX } from '../../core/grow/frame.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { type FigureSpec, numberOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 
 const LENGTH = 4;
 const DEGREES = 180 / Math.PI;
@@ -23,15 +24,7 @@ function course(
   return { nodes, end: declinationOf(f) * DEGREES };
 }
 
-class Attraction implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
-
-  constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
-  }
-
+class Attraction extends PlaneFigure {
   #courses(values: Values) {
     const [pull, start, segments] = ['pull', 'start', 'segments'].map((id) => numberOf(values, id)) as [
       number,
@@ -46,8 +39,8 @@ class Attraction implements FigureStage {
   }
 
   draw(values: Values): Record<string, string> {
-    const c = this.#host.colours();
-    const p = this.#plane;
+    const c = this.host.colours();
+    const p = this.plane;
     p.begin({ x: [-1.2, 4.6], y: [-2.8, 3.4], equal: true });
     p.line([0, p.y[0]], [0, p.y[1]], { colour: c.hairline, width: 1, dash: [4, 4] });
     const { ours, mended, literal } = this.#courses(values);
@@ -72,13 +65,13 @@ class Attraction implements FigureStage {
   handles(values: Values) {
     const start = numberOf(values, 'start') / DEGREES;
     return [
-      this.#plane.handle({
+      this.plane.handle({
         id: 'start',
         label: 'Direction in which the stem begins',
         at: [0.9 * Math.sin(start), 0.9 * Math.cos(start)],
-        colour: this.#host.colours().force,
+        colour: this.host.colours().force,
         said: `${numberOf(values, 'start')} degrees from the vertical`,
-        move: (x, y) => this.#host.set('start', Math.atan2(Math.max(0, x), y) * DEGREES),
+        move: (x, y) => this.host.set('start', Math.atan2(Math.max(0, x), y) * DEGREES),
       }),
     ];
   }

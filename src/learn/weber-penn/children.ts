@@ -24,7 +24,7 @@ class Children extends AspenFigure {
   draw(values: Values): Record<string, string> {
     const c = this.host.colours();
     const p = this.plane;
-    p.begin({ x: [-5, 12.5], y: [-0.4, 13.6], equal: true });
+    p.begin({ x: [-5, 12.5], y: [-0.4, 15], equal: true });
     p.line([p.x[0], 0], [5, 0], { colour: c.line, width: 1 });
     const tree = this.grow(JSON.stringify(values), () => changedSpecies(this.aspen, changes(values)), 1);
     sketchTree(p, tree, { colours: c });

@@ -1,6 +1,7 @@
 import { curveDeltas, stemPolyline } from '../../core/grow/curve.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { type FigureSpec, numberOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { printedDeltas } from './printed.ts';
 
 const LENGTH = 4;
@@ -27,19 +28,12 @@ function nearestCurve(x: number, y: number, back: number, res: number): number {
   return best;
 }
 
-class Curve implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
+class Curve extends PlaneFigure {
   #tip: Point = [0, LENGTH];
 
-  constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
-  }
-
   draw(values: Values): Record<string, string> {
-    const c = this.#host.colours();
-    const p = this.#plane;
+    const c = this.host.colours();
+    const p = this.plane;
     const [curve, back, res] = ['curve', 'back', 'res'].map((id) => numberOf(values, id)) as [number, number, number];
     p.begin({ x: [-3.4, 3.4], y: [-0.9, 4.3], equal: true });
     p.line([0, p.y[0]], [0, p.y[1]], { colour: c.hairline, width: 1, dash: [4, 4] });
@@ -61,13 +55,13 @@ class Curve implements FigureStage {
 
   handles(values: Values) {
     return [
-      this.#plane.handle({
+      this.plane.handle({
         id: 'tip',
         label: 'Tip of the stem, sets nCurve',
         step: 12,
         at: this.#tip,
-        colour: this.#host.colours().answer,
-        move: (x, y) => this.#host.set('curve', nearestCurve(x, y, numberOf(values, 'back'), numberOf(values, 'res'))),
+        colour: this.host.colours().answer,
+        move: (x, y) => this.host.set('curve', nearestCurve(x, y, numberOf(values, 'back'), numberOf(values, 'res'))),
       }),
     ];
   }

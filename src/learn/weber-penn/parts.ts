@@ -32,7 +32,7 @@ class Parts extends AspenFigure {
   draw(values: Values): Record<string, string> {
     const c = this.host.colours();
     const p = this.plane;
-    p.begin({ x: [-6.4, 6.4], y: [-0.6, 13.6], equal: true, margin: { top: 12, bottom: 12, left: 12, right: 12 } });
+    p.begin({ x: [-6.4, 6.4], y: [-0.6, 15], equal: true, margin: { top: 12, bottom: 12, left: 12, right: 12 } });
     p.line([p.x[0], 0], [p.x[1], 0], { colour: c.line, width: 1 });
     const tree = this.#tree(values);
     const { stems } = tree;

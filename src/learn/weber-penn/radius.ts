@@ -1,18 +1,11 @@
 import { clampedFlare, stemRadius, taperRadius } from '../../core/deform/radius.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane, type Point } from '../plane.ts';
+import { type FigureSpec, numberOf, type Values } from '../figure.ts';
+import type { Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 
 const LENGTH = 6;
 
-class Radius implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
-
-  constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
-  }
-
+class Radius extends PlaneFigure {
   /** Half the width of the silhouette at z, without and with the flare. */
   #radius(values: Values, z: number, flared: boolean): number {
     const radius = LENGTH * numberOf(values, 'ratio');
@@ -21,8 +14,8 @@ class Radius implements FigureStage {
   }
 
   draw(values: Values): Record<string, string> {
-    const c = this.#host.colours();
-    const p = this.#plane;
+    const c = this.host.colours();
+    const p = this.plane;
     p.begin({ x: [-0.5, 6.5], y: [-1.6, 1.6], equal: true });
     const steps = 480;
     const side = (sign: number, f: (z: number) => number): Point[] =>
@@ -37,7 +30,7 @@ class Radius implements FigureStage {
     p.line([LENGTH / 8, -1.4], [LENGTH / 8, 1.4], { colour: c.hairline, width: 1 });
     p.text([LENGTH / 8, 1.4], 'Z = 1/8', { size: 12, colour: c.soft, shift: [6, 4] });
     const at = (z: number): string => (1000 * this.#radius(values, z, true)).toFixed(0);
-    // What Skjermo's flare, which never ends, makes of the same stem half way up.
+    // What Skjermo’s flare makes of the foot of the same stem.
     const shape = {
       taper: numberOf(values, 'taper'),
       flare: numberOf(values, 'flare'),
@@ -57,7 +50,7 @@ class Radius implements FigureStage {
   }
 
   handles(values: Values) {
-    const p = this.#plane;
+    const p = this.plane;
     const ratio = numberOf(values, 'ratio');
     const flare = numberOf(values, 'flare');
     return [
@@ -66,9 +59,9 @@ class Radius implements FigureStage {
         label: 'Foot of the trunk, sets Ratio',
         at: [0, LENGTH * ratio * (1 + 0.99 * flare)],
         ways: 'up',
-        colour: this.#host.colours().answer,
+        colour: this.host.colours().answer,
         said: `${(LENGTH * ratio).toFixed(2)} metres`,
-        move: (_, y) => this.#host.set('ratio', y / LENGTH / (1 + 0.99 * flare)),
+        move: (_, y) => this.host.set('ratio', y / LENGTH / (1 + 0.99 * flare)),
       }),
     ];
   }

@@ -1,7 +1,7 @@
 import { SHAPES } from '../../core/grow/stem-shape.ts';
 import type { Species } from '../../core/species/species.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
-import { Plane } from '../plane.ts';
+import { type FigureHost, type FigureSpec, numberOf, type Values } from '../figure.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { type Changes, changedSpecies } from './changed-species.ts';
 import { remembered } from './grown.ts';
 import { sketchTree } from './sketch.ts';
@@ -34,22 +34,19 @@ const changes = (shape: number, values: Values): Changes => ({
   leaves: { count: 0 },
 });
 
-class Shapes implements FigureStage {
-  readonly #host: FigureHost;
+class Shapes extends PlaneFigure {
   readonly #aspen: Species;
-  readonly #plane: Plane;
   readonly #growers = SHOWN.map(() => remembered());
 
   constructor(host: FigureHost, aspen: Species) {
-    this.#host = host;
+    super(host);
     this.#aspen = aspen;
-    this.#plane = new Plane(host);
   }
 
   draw(values: Values): Record<string, string> {
-    const c = this.#host.colours();
-    const p = this.#plane;
-    const { width, height } = this.#host.size;
+    const c = this.host.colours();
+    const p = this.plane;
+    const { width, height } = this.host.size;
     const columns = width < 480 ? 3 : 5;
     const rows = Math.ceil(SHOWN.length / columns);
     let stems = 0;

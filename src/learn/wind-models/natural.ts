@@ -1,7 +1,8 @@
 import { MECHANICS, MECHANICS_SIZE } from '../../core/pack/layout.ts';
-import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
+import { type FigureSpec, numberOf, type Values } from '../figure.ts';
 import { smallTree } from '../ping-pong/small-tree.ts';
-import { Plane, type Point } from '../plane.ts';
+import type { Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { bareFrequency, printedFrequency, rodFrequency } from './rod.ts';
 
 /** Powers of ten: metres, hertz. */
@@ -9,18 +10,10 @@ const X = [-1, 1.35] as const;
 const Y = [-4.4, 2] as const;
 const log = Math.log10;
 
-class Natural implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
-
-  constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
-  }
-
+class Natural extends PlaneFigure {
   draw(values: Values): Record<string, string> {
-    const plane = this.#plane;
-    const { rest, answer, wrong, soft, line } = this.#host.colours();
+    const plane = this.plane;
+    const { rest, answer, wrong, soft, line } = this.host.colours();
     const [length, radius] = [numberOf(values, 'length'), numberOf(values, 'radius') / 100];
     plane.begin({ x: X, y: Y, margin: { left: 60, bottom: 42, top: 14, right: 18 } });
     this.#decades(line, soft);
@@ -60,14 +53,14 @@ class Natural implements FigureStage {
   handles(values: Values) {
     const [length, radius] = [numberOf(values, 'length'), numberOf(values, 'radius') / 100];
     return [
-      this.#plane.handle({
+      this.plane.handle({
         id: 'stem',
         label: 'Length of the branch',
         at: [log(length), log(bareFrequency(length, radius))],
         ways: 'across',
-        colour: this.#host.colours().answer,
+        colour: this.host.colours().answer,
         said: `${length} metres`,
-        move: (x) => this.#host.set('length', 10 ** x),
+        move: (x) => this.host.set('length', 10 ** x),
       }),
     ];
   }
@@ -80,19 +73,19 @@ class Natural implements FigureStage {
   /** Every piece of the small tree: the first of each stem stands for it. */
   #stems(): void {
     const { mechanics, pieceCount } = smallTree().packed;
-    const { level0, level1, level2, level3 } = this.#host.colours();
+    const { level0, level1, level2, level3 } = this.host.colours();
     for (let i = 0; i < pieceCount; i++) {
       const at = MECHANICS_SIZE * i;
       const length = mechanics[at + MECHANICS.LENGTH] ?? 1;
       const hertz = (mechanics[at + MECHANICS.OMEGA] ?? 1) / (2 * Math.PI);
       const colour = [level0, level1, level2, level3][mechanics[at + MECHANICS.LEVEL] ?? 0];
-      this.#plane.dot([log(length), log(hertz)], 3.5, { colour: colour ?? level3, alpha: 0.85 });
+      this.plane.dot([log(length), log(hertz)], 3.5, { colour: colour ?? level3, alpha: 0.85 });
     }
   }
 
   #decades(line: string, soft: string): void {
-    const plane = this.#plane;
-    const { hairline } = this.#host.colours();
+    const plane = this.plane;
+    const { hairline } = this.host.colours();
     for (const [metres, name] of [
       [0.1, '10 cm'],
       [1, '1 m'],

@@ -2,10 +2,11 @@ import { MECHANICS, MECHANICS_SIZE, SWAY_LAYERS } from '../../core/pack/layout.t
 import { layerStart } from '../../core/pack/texel-array.ts';
 import { swayClock, swayRate, swaySwing, swayTexels, swayUniform } from '../../core/wind/sway.ts';
 import { STILL, type SwaySettings } from '../../core/wind/wind.ts';
-import { choiceOf, type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
+import { choiceOf, type FigureHost, type FigureSpec, numberOf, type Values } from '../figure.ts';
 import { marginsOf } from '../panels.ts';
 import { smallTree } from '../ping-pong/small-tree.ts';
 import { Plane, type Point } from '../plane.ts';
+import { PlaneFigure } from '../plane-figure.ts';
 import { windLink } from '../wind-link.ts';
 import { longLimb } from './three.ts';
 
@@ -48,20 +49,17 @@ function swayReachOf(settings: SwaySettings): number {
   return ((quick + slow) * gain) / RADIANS;
 }
 
-class Sway implements FigureStage {
-  readonly #host: FigureHost;
-  readonly #plane: Plane;
+class Sway extends PlaneFigure {
   readonly #trace: Plane;
 
   constructor(host: FigureHost) {
-    this.#host = host;
-    this.#plane = new Plane(host);
+    super(host);
     this.#trace = new Plane(host);
   }
 
   draw(values: Values, time: number): Record<string, string> {
-    const { size } = this.#host;
-    const { answer, wrong, line, soft, rest } = this.#host.colours();
+    const { size } = this.host;
+    const { answer, wrong, line, soft, rest } = this.host.colours();
     const settings = settingsOf(values);
     const printed = choiceOf(values, 'rate') === 'printed';
     const colour = printed ? wrong : answer;
@@ -73,7 +71,7 @@ class Sway implements FigureStage {
     const edge = 1.1 * reach;
     const ring = reach > 40 ? 20 : reach > 15 ? 10 : 5;
     const [left, right] = [{ x: [0, 0.45] }, { x: [0.45, 1] }] as const;
-    const plane = this.#plane;
+    const plane = this.plane;
     plane.begin({ x: [-edge, edge], y: [-edge, edge], equal: true, margin: marginsOf(size, left) });
     for (const radius of [ring, 2 * ring]) {
       plane.circle([0, 0], radius, { colour: line, width: 1, alpha: 0.5 });

@@ -5,6 +5,7 @@ import type { PackedTree } from '../../core/pack/packed.ts';
 import type { Species } from '../../core/species/species.ts';
 import { TreeTextures } from '../../gpu/tree-textures.ts';
 import { TreeParts } from '../tree-parts.ts';
+import { wholeKit } from '../whole-kit.ts';
 import { bakeMaterial } from './bake-material.ts';
 
 const nothing = new Color(0, 0, 0);
@@ -23,13 +24,10 @@ const turned = ([x, y, z]: readonly [number, number, number]): Vector3 => new Ve
 
 /** A tree at rest as pictures are taken of it: its own meshes, without light. */
 export class BakeTree {
-  readonly #parts = new TreeParts({
-    mode: 'shaded',
-    levels: Number.POSITIVE_INFINITY,
-    leaves: true,
-    detail: 'auto',
-    leafBudget: 60_000,
-  });
+  readonly #parts = new TreeParts(
+    { mode: 'shaded', levels: Number.POSITIVE_INFINITY, leaves: true, detail: 'auto', leafBudget: 60_000 },
+    wholeKit,
+  );
   readonly #scene = new Scene();
   readonly #camera = new OrthographicCamera();
   #textures: TreeTextures | null = null;

@@ -5,6 +5,7 @@ import {
   Color,
   DoubleSide,
   InstancedBufferGeometry,
+  type IUniform,
   MeshDepthMaterial,
   MeshDistanceMaterial,
   MeshStandardMaterial,
@@ -40,8 +41,8 @@ export class CardLayer implements Foliage {
   #fitted = 0;
   #roughness = 0.75;
 
-  /** `layer`: of the pictures, that of the tree's species. */
-  constructor(host: LeafHost, pictures: ClumpPictures, layer: number) {
+  /** `layer`: of the pictures, that of the tree's species; `meanForce` of the wind, metres. */
+  constructor(host: LeafHost, pictures: ClumpPictures, layer: number, meanForce: IUniform<number>) {
     this.#host = host;
     const { atlas } = pictures;
     this.#uniforms = {
@@ -51,6 +52,9 @@ export class CardLayer implements Foliage {
       cardShapes: { value: atlas.shapes },
       cardPictures: { value: new Vector4(layer, atlas.views, pictures.filled, atlas.size) },
       cardThrough: { value: new Color() },
+      // Light that a blade lets through, 0 where there are none: such show another side in a gust.
+      cardThin: { value: 0 },
+      cardMeanForce: meanForce,
       crownRounding: { value: 0.5 },
       levelTint: { value: new Vector4(0, 0, 0, 0) },
     };
@@ -68,7 +72,9 @@ export class CardLayer implements Foliage {
     this.#count = tree.leafCount;
     this.#fitted = -1;
     const [r, g, b] = throughColour(foliage);
-    this.#uniforms.cardThrough.value.setRGB(r, g, b).multiplyScalar(foliage.cover > 0 ? leafThin(foliage) : 0);
+    const thin = foliage.cover > 0 ? leafThin(foliage) : 0;
+    this.#uniforms.cardThrough.value.setRGB(r, g, b).multiplyScalar(thin);
+    this.#uniforms.cardThin.value = thin;
     this.#uniforms.cardSize.value.y = Math.min(1, (wind.flutter * Math.PI) / 180) * SWING;
     this.#roughness = foliage.roughness;
     if (this.#materials) this.#materials.standard.roughness = foliage.roughness;

@@ -6,6 +6,7 @@ import through from '../../../shaders/leaf/through.glsl';
 import { layoutGlsl } from '../../core/pack/layout-glsl.ts';
 import type { Injection, Patch } from '../inject.ts';
 import { SHADOW_TOWARDS_SUN } from '../leaf-shader.ts';
+import { MIRRORS_NOTHING, oneLook } from '../lean-light.ts';
 import { GROVE_FRAGMENT } from './grove-shader.ts';
 
 const shape: readonly Patch[] = [
@@ -23,11 +24,17 @@ export const CARD_STANDARD: Injection = {
     ...shape,
     {
       anchor: '#include <uv_pars_vertex>',
-      before: `${crown}\nflat out mat3 vCardFacing;\nout vec4 vCardCrown;`,
+      before: `${crown}
+uniform float cardThin;
+uniform float cardMeanForce;
+flat out mat3 vCardFacing;
+out vec4 vCardCrown;
+out float vCardLaid;`,
     },
     {
       anchor: '#include <beginnormal_vertex>',
       instead: `vec3 objectNormal = here.facing[2];
+vCardLaid = cardThin * crownLaid(here.force, cardMeanForce);
 vCardFacing = mat3(modelViewMatrix) * here.facing;
 vCardCrown = vec4(normalize(mat3(modelViewMatrix) * crownNormal(here.position)), crownSky(here.position));`,
     },
@@ -40,9 +47,12 @@ vCardCrown = vec4(normalize(mat3(modelViewMatrix) * crownNormal(here.position)),
       anchor: '#include <lights_physical_pars_fragment>',
       after: `#define LEAF_THROUGH (cardThrough * vCardCrown.w)\n${through}`,
     },
+    MIRRORS_NOTHING,
+    oneLook('1'),
     {
       anchor: '#include <map_fragment>',
-      after: 'vec4 clump = cardColour();\ndiffuseColor *= vec4(mix(clump.rgb, levelTint.rgb, levelTint.a), clump.a);',
+      after:
+        'vec4 clump = cardColour();\ndiffuseColor *= vec4(mix(laidColour(clump.rgb, vCardLaid), levelTint.rgb, levelTint.a), clump.a);',
     },
     {
       anchor: '#include <normal_fragment_begin>',

@@ -34,6 +34,8 @@ export class FarTrees {
     forestScale: { value: 1 },
     forestFade: { value: new Vector4(-1, 0, 1e9, 2e9) },
   };
+  /** Mean force of the wind, metres. */
+  readonly meanForce = { value: 1 };
   readonly #parent: Object3D;
   readonly #client: GroveClient;
   readonly #field: ForceField;
@@ -91,7 +93,7 @@ export class FarTrees {
     this.#clumps = new ClumpPictures(variants.length);
     this.#own = new Float32Array(places.count);
     this.#nearer = new Float32Array(places.count);
-    this.#impostors = new Impostors(this.#baker.atlas, this.#field, this.fade);
+    this.#impostors = new Impostors(this.#baker.atlas, this.#field, this.fade, this.meanForce);
     this.#parent.add(this.#impostors);
     this.#place();
   }

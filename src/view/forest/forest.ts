@@ -1,9 +1,11 @@
 import { type Camera, type Object3D as Group, Object3D, Vector2, type WebGLRenderer } from 'three';
 import { forestDensity } from '../../core/forest/density.ts';
 import type { ForestDocument, TreePlaces } from '../../core/forest/forest.ts';
+import { windSpeedOf } from '../../core/forest/forest-wind.ts';
 import type { HeightField } from '../../core/forest/height-field.ts';
 import { scatter } from '../../core/forest/scatter.ts';
 import type { Species } from '../../core/species/species.ts';
+import { forceOfSpeed } from '../../core/wind/speed.ts';
 import { STILL, type Wind } from '../../core/wind/wind.ts';
 import type { WindSource } from '../../gpu/wind-source.ts';
 import { type GroveClient, newGroveClient } from '../../worker/grove-client.ts';
@@ -270,9 +272,11 @@ export class Forest extends Object3D {
     this.#setup = null;
   }
 
-  /** Moves the thresholds towards those of the step. */
+  /** Moves the thresholds towards those of the step, and what counts as a gust towards the wind's own mean. */
   #ease(step: ForestStep, passed: number): void {
     const part = 1 - Math.exp(-passed / (1000 * EASE));
+    const { meanForce } = this.#far;
+    meanForce.value += (forceOfSpeed(windSpeedOf(this.#wind)) - meanForce.value) * part;
     this.#near += (this.#thresholds.near * step.near - this.#near) * part;
     this.#middle += (this.#thresholds.middle * step.middle - this.#middle) * part;
   }
@@ -280,6 +284,6 @@ export class Forest extends Object3D {
   #groveOptions(form: 'full' | 'middle', species: number): GroveOptions | null {
     if (form === 'full') return {};
     const pictures = this.#far.clumps(species);
-    return pictures && { foliage: (host) => new CardLayer(host, pictures, species) };
+    return pictures && { foliage: (host) => new CardLayer(host, pictures, species, this.#far.meanForce) };
   }
 }

@@ -10,6 +10,7 @@ import type { LeafHost } from '../leaf-layer.ts';
 import { windBox } from '../tree-extent.ts';
 import { TreeParts } from '../tree-parts.ts';
 import { groveUniforms } from '../uniforms.ts';
+import { wholeKit } from '../whole-kit.ts';
 import { WindLane } from '../wind-lane.ts';
 import { GroveMotion } from './grove-motion.ts';
 import { GrovePace } from './grove-pace.ts';
@@ -55,7 +56,7 @@ export class Grove extends Object3D {
   readonly fade: Vector4;
   readonly #uniforms = groveUniforms();
   readonly #parts: TreeParts;
-  readonly #lane = new WindLane();
+  readonly #lane = new WindLane(wholeKit);
   readonly #pace = new GrovePace(born++);
   readonly #box = new Box3();
   readonly #world = new Box3();
@@ -74,17 +75,14 @@ export class Grove extends Object3D {
     this.fade = this.#uniforms.forestFade.value;
     const trees = (): GroveTrees | null => this.#trees;
     const shown = { mode: 'shaded', levels: Number.POSITIVE_INFINITY, leaves: true, detail, leafBudget } as const;
-    this.#parts = new TreeParts(
-      { ...shown },
-      {
-        uniforms: this.#uniforms,
-        ...(foliage ? { foliage } : {}),
-        get count() {
-          return trees()?.count ?? 1;
-        },
-        nearest: (camera, matrixWorld, height) => trees()?.pixelsPerMetre(camera, matrixWorld, height) ?? 1,
+    this.#parts = new TreeParts({ ...shown }, wholeKit, {
+      uniforms: this.#uniforms,
+      ...(foliage ? { foliage } : {}),
+      get count() {
+        return trees()?.count ?? 1;
       },
-    );
+      nearest: (camera, matrixWorld, height) => trees()?.pixelsPerMetre(camera, matrixWorld, height) ?? 1,
+    });
     this.#parts.visible = false;
     this.add(this.#parts);
   }

@@ -18,7 +18,7 @@ export interface LayerFacts {
   readonly halfWidth: number;
   readonly halfHeight: number;
   readonly height: number;
-  /** Metres that the top moves for a force of 1 m. */
+  /** Metres that the top of the crown moves for a force of 1 m: crownGive. */
   readonly give: number;
   /** Light that is lost in the crown, 1/m. */
   readonly density: number;
@@ -29,6 +29,8 @@ export interface LayerFacts {
   /** Linear colour of the light that leaves let through. */
   readonly through: readonly [number, number, number];
   readonly roughness: number;
+  /** Light that a blade lets through, 1 for one of common thickness, 0 where there are none: such turn in a gust. */
+  readonly thin: number;
 }
 
 export interface AtlasOptions {
@@ -131,7 +133,7 @@ export class ImpostorAtlas {
       [facts.halfHeight, facts.height, facts.give, facts.density],
       [crown[0], crown[1], crown[2], facts.leafLow],
       [crown[3], crown[4], crown[5], facts.roughness],
-      [...through, 0],
+      [...through, facts.thin],
     ].flat();
     (this.table.image.data as Float32Array).set(row as number[], ROW_TEXELS * 4 * layer);
     this.table.needsUpdate = true;

@@ -1,11 +1,11 @@
 import type { WebGLRenderer } from 'three';
 import { crownDensity } from '../../core/forest/crown-density.ts';
+import { crownGive } from '../../core/forest/crown-give.ts';
 import { LEAF_REACH } from '../../core/forest/middle-tree.ts';
 import { viewDirection } from '../../core/forest/octahedral.ts';
 import { viewExtent } from '../../core/forest/view-extent.ts';
 import { leafThin, throughColour } from '../../core/look/leaf-look.ts';
 import { leafPoints } from '../../core/look/leaf-points.ts';
-import { MECHANICS } from '../../core/pack/layout.ts';
 import type { PackedTree } from '../../core/pack/packed.ts';
 import type { Species } from '../../core/species/species.ts';
 import { BakePasses } from './bake-passes.ts';
@@ -86,10 +86,8 @@ export class ImpostorBaker {
 
 /** What the drawing of a layer needs to know; `fill`: the part of a cell that the box fills. */
 function factsOf(tree: PackedTree, species: Species, box: BakeBox, fill: number): LayerFacts {
-  const { bounds, crown, mechanics } = tree;
+  const { bounds, crown } = tree;
   const height = (bounds[5] as number) - Math.min(0, bounds[2] as number);
-  const length = mechanics[MECHANICS.LENGTH] ?? height;
-  const flexible = mechanics[MECHANICS.FLEXIBILITY] ?? 0;
   const feet = Array.from(leafPoints(tree, 400)).filter((_, i) => i % 3 === 2);
   feet.sort((a, b) => a - b);
   const thin = leafThin(species.foliage);
@@ -99,12 +97,12 @@ function factsOf(tree: PackedTree, species: Species, box: BakeBox, fill: number)
     halfWidth: box.halfWidth / fill,
     halfHeight: box.halfHeight / fill,
     height,
-    // The bend of a stem grows as s^1.8 along it and with its length's 0.6th part (shaders/wind/bend.glsl): summed up.
-    give: (flexible * length ** 0.4 * 3 ** 0.6) / 2.8,
+    give: crownGive(tree, height),
     density: crownDensity(tree, species),
     crown,
     leafLow: species.foliage.cover > 0 && feet.length > 0 ? (feet[Math.floor(feet.length * 0.03)] as number) : 1e6,
     through: [r, g, b],
     roughness: species.foliage.roughness,
+    thin: species.foliage.cover > 0 ? thin : 0,
   };
 }

@@ -24,6 +24,7 @@ export const IMPOSTOR_STANDARD: Injection = {
     {
       anchor: '#include <uv_pars_vertex>',
       before: `out vec3 vCorner;
+out float vLaid;
 flat out vec3 vToEye;
 flat out mat3 vTreeView;
 flat out vec4 vCrown;
@@ -39,7 +40,8 @@ vTreeView = mat3(modelViewMatrix) * mat3(here.turn.x, here.turn.y, 0.0, -here.tu
 vCrown = farFact(here.layer, 2);
 vCrown -= vec4(farFact(here.layer, 0).xyz, farFact(here.layer, 0).z);
 vCrownRadii = vec4(farFact(here.layer, 3).xyz, farFact(here.layer, 1).w);
-vThrough = farFact(here.layer, 4);`,
+vThrough = farFact(here.layer, 4);
+vLaid = here.laid * vThrough.w;`,
     },
     {
       // The quad that the light sees stands through the middle of the tree: a tree would shade its own far side, which its density does

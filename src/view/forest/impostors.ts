@@ -62,6 +62,7 @@ export class Impostors extends Mesh<BufferGeometry, MeshStandardMaterial> {
   readonly #atlas: ImpostorAtlas;
   readonly #field: ForceField;
   readonly #views = { value: new Vector4() };
+  readonly #meanForce: IUniform<number>;
   #cells: ImpostorCells | null = null;
   /** Indices of all trees in the order of the cells; what is drawn is copied from it. */
   #all = new Uint32Array(0);
@@ -74,11 +75,12 @@ export class Impostors extends Mesh<BufferGeometry, MeshStandardMaterial> {
     this.#drawn += count;
   };
 
-  constructor(atlas: ImpostorAtlas, field: ForceField, fade: FadeUniforms) {
+  constructor(atlas: ImpostorAtlas, field: ForceField, fade: FadeUniforms, meanForce: IUniform<number> = { value: 1 }) {
     const material = new MeshStandardMaterial({ metalness: 0, roughness: 0.75, side: DoubleSide, alphaTest: CUT });
     super(new BufferGeometry(), material);
     this.#atlas = atlas;
     this.#field = field;
+    this.#meanForce = meanForce;
     this.#views.value.set(atlas.views, atlas.size, 1, 0);
     const depth = new MeshDepthMaterial({ side: DoubleSide, alphaTest: CUT });
     const distance = new MeshDistanceMaterial({ side: DoubleSide, alphaTest: CUT });
@@ -161,6 +163,7 @@ export class Impostors extends Mesh<BufferGeometry, MeshStandardMaterial> {
       if (each) this.#field.dress(each);
     }
     this.#views.value.z = this.#field.state.softness;
+    this.#views.value.w = this.#meanForce.value;
     if (!this.#cells) return;
     this.updateWorldMatrix(true, false);
     view.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).multiply(this.matrixWorld);

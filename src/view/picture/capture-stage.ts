@@ -5,7 +5,7 @@ import type { StemTable } from '../../core/pack/stem-table.ts';
 import type { Species } from '../../core/species/species.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import { frameTree } from '../framing.ts';
-import { AZIMUTH, FOV, Stage } from '../stage.ts';
+import { AZIMUTH, FOV, type Shot, Stage } from '../stage.ts';
 import { uprightBox } from '../tree-extent.ts';
 import { WindTree } from '../wind-tree.ts';
 import { placeOf } from './camera-pose.ts';
@@ -79,6 +79,10 @@ export class CaptureStage {
     if (channel) this.#tree.showChannel(channel, stems);
     this.#stage.setScene(scene?.stage ?? 'meadow', scene?.hour ?? null);
     this.#stage.setDark(dark);
+  }
+
+  set shot(shot: Shot | null) {
+    this.#stage.shot = shot;
   }
 
   /**

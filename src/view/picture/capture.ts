@@ -28,7 +28,11 @@ export function mostPixels({ width, height }: PictureSize): number {
  *
  * Throws RangeError where a side is no whole number of pixels, CaptureTooLarge, and what the browser says where it gives no context.
  */
-export function openCapture(sitter: Sitter, from: Viewpoint, { width, height, transparent }: CaptureOptions): Capture {
+export function openCapture(
+  sitter: Sitter,
+  from: Viewpoint,
+  { width, height, transparent, shot = null }: CaptureOptions,
+): Capture {
   for (const side of [width, height]) {
     if (!Number.isInteger(side) || side < 1)
       throw new RangeError(`A picture has whole pixels, at least 1; found ${side}.`);
@@ -40,6 +44,7 @@ export function openCapture(sitter: Sitter, from: Viewpoint, { width, height, tr
   canvas.height = height;
   const stage = new CaptureStage(transparent ? 'none' : 'stage');
   stage.take(sitter);
+  stage.shot = shot;
   let drawing: Promise<void> = Promise.resolve();
   let closed = false;
   return {

@@ -14,12 +14,19 @@ const AIR = 0.07;
 
 const corner = new Vector3();
 
-/** The smallest part of what a camera sees that holds a box, with some air around it. */
+/** Points around the upright round that a box holds: a crown has no corners, and those of its box stand out beside it. */
+const AROUND = 16;
+
+/** The smallest part of what a camera sees that holds the upright round in a box, with some air around it. */
 export function closeUp(box: Box3, camera: PerspectiveCamera): Crop {
   camera.updateMatrixWorld();
   let [left, top, right, bottom] = [1, 1, 0, 0];
-  for (let i = 0; i < 8; i++) {
-    corner.set(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z);
+  const size = box.getSize(new Vector3()).multiplyScalar(0.5);
+  for (let i = 0; i < 2 * AROUND; i++) {
+    const angle = (i * 2 * Math.PI) / AROUND;
+    box.getCenter(corner).x += size.x * Math.cos(angle);
+    corner.y += i < AROUND ? size.y : -size.y;
+    corner.z += size.z * Math.sin(angle);
     corner.project(camera);
     left = Math.min(left, (corner.x + 1) / 2);
     right = Math.max(right, (corner.x + 1) / 2);

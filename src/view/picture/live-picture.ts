@@ -5,7 +5,7 @@ import { inSeason, type Season } from '../../core/species/season.ts';
 import type { Species } from '../../core/species/species.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import { SceneOverlays } from '../overlay/scene-overlays.ts';
-import { Stage } from '../stage.ts';
+import { type Shot, Stage } from '../stage.ts';
 import { uprightBox } from '../tree-extent.ts';
 import { type Which, WindTree } from '../wind-tree.ts';
 import { type Area, groundAt, metresAPixel, rayAt } from './aim.ts';
@@ -72,7 +72,7 @@ export class LivePicture implements Picture {
   private gliding = false;
   /** What casts shadows has changed since they were drawn. */
   private stale = true;
-  /** Height of the tree in metres: how large what stands around it is. */
+  /** Height of the tree, metres. */
   private reach = 6;
   private time = Number.NaN;
   private caught: number | null = null;
@@ -196,6 +196,11 @@ export class LivePicture implements Picture {
   setStage(stage: StageId, hour: number | null): void {
     this.stage.setScene(stage, hour);
     this.stale = true;
+  }
+
+  setShot(shot: Shot | null): void {
+    this.stage.shot = shot;
+    this.events.onChange();
   }
 
   setQuality(quality: Quality): void {

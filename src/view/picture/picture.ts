@@ -2,6 +2,7 @@ import type { CameraPose, StageId, ViewMode } from '../../core/link/link.ts';
 import type { Season } from '../../core/species/season.ts';
 import type { PruningParameters, Species } from '../../core/species/species.ts';
 import type { Wind } from '../../core/wind/wind.ts';
+import type { Shot } from '../stage.ts';
 import type { GrownTree } from './grow-tree.ts';
 import type { Quality, QualityLevel } from './quality.ts';
 
@@ -118,6 +119,8 @@ export interface CaptureOptions extends PictureSize {
   readonly camera?: CameraPose;
   /** The wind that blows in it; by default that of the picture. */
   readonly wind?: Wind;
+  /** How it is exposed, and through what lens. */
+  readonly shot?: Shot | null;
 }
 
 /** The shown tree, wind and theme, drawn at a size of its own beside the visible picture. */
@@ -167,6 +170,8 @@ export interface Picture {
   setSeason(season: Season): void;
   /** Where the tree stands; `hour` of the day by the sun, 0..24, null: the stage's own. */
   setStage(stage: StageId, hour: number | null): void;
+  /** Exposure and lens of a photograph; null: those of the stage. Absent where nothing is photographed. */
+  setShot?(shot: Shot | null): void;
   /** How finely it is drawn while time runs; where time stands, `auto` is always the same. */
   setQuality(quality: Quality): void;
   setInsets(insets: Insets): void;

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { collar } from '../../../src/core/deform/collar.ts';
 import { stemRadius } from '../../../src/core/deform/radius.ts';
 import { surfacePoint } from '../../../src/core/deform/surface.ts';
-import { GRAINS_PER_TILE } from '../../../src/core/look/bark-image.ts';
+import { GRAINS_PER_TILE } from '../../../src/core/look/bark-tile.ts';
 import { handlesOf } from '../../../src/core/math/frames.ts';
 import { expandLeaves } from '../../../src/core/mesh/expand-leaves.ts';
 import { COLLAR, levelShape } from '../../../src/core/mesh/level-shape.ts';

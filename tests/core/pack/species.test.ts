@@ -15,7 +15,7 @@ const HASHES = {
   'quaking-aspen': 'a67ad0c8',
   'black-tupelo': 'e4d0a95b',
   'weeping-willow': 'b11f273a',
-  'california-black-oak': '54efdad5',
+  'california-black-oak': 'd8892d5b',
 } as const;
 
 describe.each(SHIPPED)('%s', (name) => {
