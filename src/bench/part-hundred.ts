@@ -8,17 +8,8 @@ import { timeFrames } from './frame-timer.ts';
 import { type Picture, type Section, SIZE } from './section.ts';
 import { words } from './words.ts';
 
-/** The one of about as many triangles as a tree of ours takes in that picture stands beside it. */
-const PRESETS = [
-  'Aspen Small',
-  'Aspen Medium',
-  'Aspen Large',
-  'Ash Small',
-  'Bush 1',
-  'Bush 2',
-  'Oak Small',
-  'Oak Medium',
-];
+/** The one of about as many triangles as a tree of ours takes in that picture stands beside it. No bush: at the height of an aspen it would fill more of the picture. */
+const PRESETS = ['Aspen Small', 'Aspen Medium', 'Aspen Large', 'Ash Small', 'Oak Small', 'Oak Medium'];
 /** Metres from tree to tree. */
 const APART = 5;
 
