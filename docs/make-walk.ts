@@ -120,7 +120,7 @@ const scenes: Readonly<Record<string, Scene>> = {
     link: MOMENT,
     act: async (page) => {
       await page.keyboard.press('Control+k');
-      await page.getByRole('combobox').fill('curve limbs');
+      await page.getByRole('combobox', { name: 'Find a command' }).fill('curve limbs');
     },
   },
   photo: {

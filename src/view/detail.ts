@@ -93,7 +93,7 @@ export function stemsDrawn(count: number, radius: number, detail: Detail): numbe
 }
 
 /** Bands of a piece in shadow maps, by level: a ribbon's, which follows the curve and no more. */
-const SHADOW_BANDS = [12, 4, 2, 1] as const;
+const SHADOW_BANDS = [12, 4, 1, 1] as const;
 
 /** Bands of the ribbon that a piece of a level is in shadow maps, drawn with `bands` in the picture. */
 export const shadowBands = (level: number, bands: number, detail: Detail): number =>
@@ -149,10 +149,10 @@ const STEM_TRIANGLES: Record<Detail, number> = { auto: 50_000, high: 2_000_000, 
 const RELIEF_TRIANGLES: Record<Detail, number> = { auto: 70_000, high: 600_000, low: 20_000 };
 const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 200_000, high: 6_000_000, low: 100_000 };
 /** And those that are near, in their finest form. */
-const NEAR_TRIANGLES: Record<Detail, number> = { auto: 200_000, high: 4_000_000, low: 0 };
+const NEAR_TRIANGLES: Record<Detail, number> = { auto: 80_000, high: 4_000_000, low: 0 };
 
 /** Leaves that are drawn at most, by default. */
-export const LEAF_BUDGET: Record<Detail, number> = { auto: 48_000, high: 600_000, low: 30_000 };
+export const LEAF_BUDGET: Record<Detail, number> = { auto: 40_000, high: 600_000, low: 30_000 };
 
 /** Part of the leaves that are drawn that cast shadows: those that do are grown to cover as much. */
 const CASTING: Record<Detail, number> = { auto: 0.25, high: 1, low: 0.2 };

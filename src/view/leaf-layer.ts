@@ -53,6 +53,8 @@ class LeafDraw {
 
   constructor(mesh: TreeMesh) {
     this.mesh = mesh;
+    // The crown first: it hides most of the wood within it, and the ground behind, which are then not shaded.
+    mesh.renderOrder = -1;
   }
 
   /** Draws `count` copies of a mesh, `made` standing for it; `shadow`: what it is in shadow maps. */

@@ -32,45 +32,69 @@ const PAIR: HalfOutline = [
   [0.5, 1],
 ];
 
-/** From some way off: four pairs and the leaflet at the end. */
-function chevrons(width: number): Blade[] {
-  const pitch = 0.2;
-  const out = [0, 1, 2, 3].map((i) =>
+/** How the leaflets of a feather stand. */
+interface FeatherPlan {
+  readonly pairs: number;
+  /** Where the lowest pair stands, and how far apart two pairs do. */
+  readonly from: number;
+  readonly pitch: number;
+  /** Turn of the lowest pair in degrees, and how much more the highest leans forward. */
+  readonly turn: number;
+  readonly lean: number;
+  /** Width of a leaflet in its lengths, at most. */
+  readonly broad: number;
+  /** Length of the leaflet at the end at most. */
+  readonly last: number;
+}
+
+const ASH: FeatherPlan = { pairs: 6, from: 0.1, pitch: 0.8 / 6, turn: 72, lean: 22, broad: 0.5, last: 0.3 };
+const ROSE: FeatherPlan = { pairs: 3, from: 0.14, pitch: 0.22, turn: 66, lean: 14, broad: 0.6, last: 0.4 };
+
+/** From some way off: pairs that are one triangle each, and the leaflet at the end. */
+function chevrons(width: number, pairs: number): Blade[] {
+  const pitch = 0.8 / pairs;
+  const out = Array.from({ length: pairs }, (_, i) =>
     flatBlade(PAIR, [width * (1 - 0.08 * i), 1.25 * pitch], [0, 0.08 + pitch * i], 0, 0, { ...LEAF_BEND, curl: 0 }),
   );
   return [...out, flatBlade(LEAFLET.far, [0.36 * width, 0.24], [0, 0.78], 0, 0)];
 }
 
-function feather(width: number): Blade[] {
-  const pairs = 6;
+function feather(width: number, { pairs, from, pitch, turn, lean, broad, last }: FeatherPlan): Blade[] {
   const out: Blade[] = [rachis()];
-  const pitch = 0.8 / pairs;
   const leaflet = LEAFLET.near;
   const ribs = 1;
   for (let i = 0; i < pairs; i++) {
-    const z = 0.1 + pitch * i;
+    const z = from + pitch * i;
     // The longest stand below the middle; all lean forward.
-    const turn = 72 - 22 * (i / pairs);
     const length = ((0.5 * width) / 0.92) * (0.86 + 0.14 * Math.sin(Math.PI * Math.min(1, 0.25 + i / pairs)));
-    const size = [Math.min(0.5 * length, 1.2 * pitch), length] as const;
-    for (const side of [-1, 1]) out.push(flatBlade(leaflet, size, [0, z], side * turn, ribs, DROOP));
+    const size = [Math.min(broad * length, 1.2 * pitch), length] as const;
+    for (const side of [-1, 1])
+      out.push(flatBlade(leaflet, size, [0, z], side * (turn - lean * (i / pairs)), ribs, DROOP));
   }
-  const last = Math.min(0.3, 0.55 * width);
-  out.push(flatBlade(leaflet, [0.42 * last, last], [0, 1 - last], 0, ribs, DROOP));
+  const end = Math.min(last, 0.55 * width);
+  out.push(flatBlade(leaflet, [Math.max(0.42, broad) * end, end], [0, 1 - end], 0, ribs, DROOP));
   return out;
 }
 
-/** A feather of 13 leaflets on a rachis: ash, walnut, rowan, a frond of fern. `width`: of the whole feather. */
-export const FEATHER: LeafForm = {
-  name: 'feather of leaflets',
+const featherForm = (name: string, plan: FeatherPlan): LeafForm => ({
+  name,
   veins: 'pinnate',
   blades: (width, grain) => {
-    const near = feather(width);
+    const near = feather(width, plan);
     if (grain === 'near') return near;
-    const coarse = grain === 'middle' ? chevrons(width) : [flatBlade(LEAFLET.far, [width, 1], [0, 0], 0, 0)];
+    const coarse =
+      grain === 'middle'
+        ? chevrons(width, Math.min(4, plan.pairs))
+        : [flatBlade(LEAFLET.far, [width, 1], [0, 0], 0, 0)];
     return coveringAs(near, coarse);
   },
-};
+});
+
+/** A feather of 13 leaflets on a rachis: ash, walnut, rowan, a frond of fern. `width`: of the whole feather. */
+export const FEATHER = featherForm('feather of leaflets', ASH);
+
+/** Seven broad leaflets on a rachis: roses, elder, bladdernut. `width`: of the whole leaf. */
+export const SEVEN_LEAFLETS = featherForm('seven leaflets', ROSE);
 
 /** Turn in degrees and size of the leaflets of a hand. */
 const FINGERS = [
@@ -104,4 +128,9 @@ export const HAND: LeafForm = {
 };
 
 /** Leaves of several blades, by `leaves.shape`. */
-export const COMPOUND_FORMS: Readonly<Record<number, LeafForm>> = { 5: TRIFOLIATE, 9: FEATHER, 10: HAND };
+export const COMPOUND_FORMS: Readonly<Record<number, LeafForm>> = {
+  5: TRIFOLIATE,
+  9: FEATHER,
+  10: HAND,
+  20: SEVEN_LEAFLETS,
+};

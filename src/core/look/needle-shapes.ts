@@ -74,7 +74,7 @@ export const SPRIG = covering('sprig of needles', (width, grain) => {
   if (grain === 'far') {
     return [20, 110].map((around) => axisBlade(NEEDLE.far, [0.2, 1], 0, 3, around));
   }
-  const count = pick(grain, 30, 13, 0);
+  const count = pick(grain, 30, 8, 0);
   // Fewer needles on a wider shoot keep the shape of the whole.
   const shoot = grain === 'near' ? 0.022 : 0.045;
   const needle = grain === 'near' ? NEEDLE.middle : SPIKE;

@@ -23,6 +23,7 @@ export const LEAF_SHAPES = [
   'grass blade',
   'three-lobed sassafras',
   'toothed oval',
+  'seven leaflets',
 ] as const;
 
 const OWN_ANGLE = { unit: 'deg', optional: true } as const;

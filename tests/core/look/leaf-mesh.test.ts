@@ -135,6 +135,6 @@ describe('leaf mesh', () => {
   });
 
   it('refuses a shape that it does not have', () => {
-    expect(() => leafMesh(spec(20), 'near', 1)).toThrow(/0 to 19, found 20/);
+    expect(() => leafMesh(spec(21), 'near', 1)).toThrow(/0 to 20, found 21/);
   });
 });
