@@ -1,12 +1,16 @@
-/** A number that the reader sets with a slider or by typing. */
-export interface NumberControl {
+/** A number that the reader sets by dragging in the stage alone: it has no row. */
+export interface DraggedNumber {
   readonly id: string;
-  readonly label: string;
-  readonly unit?: string;
   readonly min: number;
   readonly max: number;
   readonly step: number;
   readonly value: number;
+}
+
+/** A number that the reader sets with a slider or by typing. */
+export interface NumberControl extends DraggedNumber {
+  readonly label: string;
+  readonly unit?: string;
 }
 
 /** One of a few words. */
@@ -25,11 +29,15 @@ export interface SwitchControl {
 }
 
 export type Control = NumberControl | ChoiceControl | SwitchControl;
+/** What a figure keeps, has in its address, and puts back. */
+export type Kept = Control | DraggedNumber;
 export type Value = number | string | boolean;
 export type Values = Readonly<Record<string, Value>>;
 
-export const isNumber = (control: Control): control is NumberControl => 'min' in control;
-export const isChoice = (control: Control): control is ChoiceControl => 'options' in control;
+export const isNumber = <Number extends DraggedNumber>(
+  control: Number | ChoiceControl | SwitchControl,
+): control is Number => 'min' in control;
+export const isChoice = (control: Kept): control is ChoiceControl => 'options' in control;
 
 /** The value of a number control. Throws where `id` is none. */
 export function numberOf(values: Values, id: string): number {
@@ -53,14 +61,14 @@ export function switchOf(values: Values, id: string): boolean {
 }
 
 /** What a figure begins with. */
-export const defaultsOf = (controls: readonly Control[]): Record<string, Value> =>
+export const defaultsOf = (controls: readonly Kept[]): Record<string, Value> =>
   Object.fromEntries(controls.map(({ id, value }) => [id, value]));
 
 /** Digits behind the point that a step asks for. */
 export const digitsOf = (step: number): number => Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)));
 
 /** A value as its control allows it: a number in its range and on its steps; undefined where it makes no sense there. */
-export function allowed(control: Control, value: Value): Value | undefined {
+export function allowed(control: Kept, value: Value): Value | undefined {
   if (isNumber(control)) {
     const number = Number(value);
     if (value === '' || !Number.isFinite(number)) return undefined;

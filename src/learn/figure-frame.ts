@@ -21,11 +21,10 @@ export class FigureFrame {
   readonly #told = document.createElement('p');
   readonly #play: HTMLButtonElement | null = null;
   readonly #still: HTMLImageElement | null;
-  readonly #open: HTMLAnchorElement | null = null;
-  readonly #opened: FigureSpec['open'];
+  readonly #links: { readonly link: HTMLAnchorElement; readonly address: (values: Values) => string }[] = [];
 
   constructor(figure: HTMLElement, spec: FigureSpec, actions: FrameActions) {
-    const { id, title, aspect, narrow, readouts, moves, steps, open } = spec;
+    const { id, title, aspect, narrow, readouts, moves, steps, open, page } = spec;
     this.#title = title;
     figure.id ||= `fig-${id}`;
     figure.setAttribute('aria-label', title);
@@ -61,12 +60,14 @@ export class FigureFrame {
     if (steps) button(words.step, () => actions.step());
     button(words.reset, () => actions.reset());
     button(words.link, () => void this.#copy(actions.link()));
-    this.#opened = open;
-    if (open) {
-      this.#open = document.createElement('a');
-      this.#open.textContent = words.open;
-      buttons.append(this.#open);
-    }
+    const leads = (text: string, address: (values: Values) => string): void => {
+      const link = document.createElement('a');
+      link.textContent = text;
+      buttons.append(link);
+      this.#links.push({ link, address });
+    };
+    if (open) leads(words.open, (values) => `index.html#${open(values)}`);
+    if (page) leads(page.name, page.address);
     this.#told.className = 'told';
     this.#told.setAttribute('role', 'status');
     panel.append(heading, this.controls);
@@ -93,8 +94,8 @@ export class FigureFrame {
     }
   }
 
-  showOpen(values: Values): void {
-    if (this.#open && this.#opened) this.#open.href = `../index.html#${this.#opened(values)}`;
+  showLinks(values: Values): void {
+    for (const { link, address } of this.#links) link.href = `../${address(values)}`;
   }
 
   /** Tells screen readers what is to be seen; `aloud`: now, else when they come by. */

@@ -1,4 +1,4 @@
-import type { Control, Value, Values } from './controls.ts';
+import type { Control, DraggedNumber, Value, Values } from './controls.ts';
 import type { Colours } from './figure-colours.ts';
 import type { Handle } from './handle.ts';
 import { LivePage } from './live-page.ts';
@@ -32,6 +32,8 @@ export interface FigureSpec {
   /** The same on a narrow screen; default `aspect`, or 5 : 4 where that is flatter. */
   readonly narrow?: number;
   readonly controls: readonly Control[];
+  /** What is dragged in the stage and has no row among the controls. */
+  readonly dragged?: readonly DraggedNumber[];
   readonly readouts: readonly Readout[];
   /** It moves by itself: gets a button to play and pause; under reduced motion it begins paused. */
   readonly moves?: boolean;
@@ -41,6 +43,8 @@ export interface FigureSpec {
   readonly begin?: number;
   /** What stands behind `#` in the editor's address, for "Open in editor". */
   readonly open?: (values: Values) => string;
+  /** Another page of the site that shows the same; `address` begins at the site's root. */
+  readonly page?: { readonly name: string; readonly address: (values: Values) => string };
   /** Called once the figure comes near the window. What it throws is told in the figure's place. */
   readonly stage: (host: FigureHost) => FigureStage;
 }
@@ -55,7 +59,9 @@ export interface FigureHost {
   /** True in the dark theme. */
   readonly dark: boolean;
   values(): Values;
-  /** A drag in the stage moves a control; what is not allowed there is made so. */
+  /** A handle is held: what the drag reads its numbers from must stay where it is. */
+  readonly held: boolean;
+  /** A drag in the stage sets a number; what is not allowed there is made so. */
   set(id: string, value: Value): void;
   /** Asks for another `draw`. */
   redraw(): void;
@@ -68,7 +74,7 @@ export interface FigureStage {
   draw(values: Values, time: number): Readonly<Record<string, number | string>>;
   /** The button of `steps`. */
   step?(): void;
-  /** Puts back what was dragged and is no control. */
+  /** Puts back what is no value of the figure. */
   reset?(): void;
   /** What can be dragged, as it lies after the last `draw`. */
   handles?(values: Values): readonly Handle[];

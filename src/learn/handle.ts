@@ -16,6 +16,8 @@ export interface Handle {
   readonly said?: string;
   /** Called with where it is dragged to, CSS pixels. */
   move(x: number, y: number): void;
+  /** What the arrow keys do in place of `move`, for one that goes round: 1 for right and up, -1 for left and down; ten with Shift. */
+  turn?(steps: number): void;
 }
 
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
@@ -25,16 +27,45 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowDown: [0, 1],
 };
 
+/** Pixels that an arrow key tries at most, until something changes: the steps of a control may be farther apart than those of the handle. */
+const FARTHEST = 80;
+
+/** Whom a layer of handles tells and asks. */
+export interface HandleHost {
+  /** A move has ended. */
+  moved(): void;
+  /** Another object once a move has changed something. */
+  state(): unknown;
+}
+
+/** Moves a handle by an arrow key, as far as it takes for `state` to change; false for any other key. */
+export function pressed(handle: Handle, key: string, times: number, state: () => unknown): boolean {
+  const way = ARROWS[key];
+  if (!way) return false;
+  const [across, down] = way;
+  const { x, y, step = 4 } = handle;
+  if (handle.turn) {
+    handle.turn((across - down) * times);
+    return true;
+  }
+  const before = state();
+  const farthest = Math.max(FARTHEST, step * times);
+  for (let far = step * times; far <= farthest && state() === before; far += step)
+    handle.move(x + across * far, y + down * far);
+  return true;
+}
+
 /** The buttons over one stage: as many as the stage has handles, kept while they are dragged. */
 export class HandleLayer {
   readonly #stage: HTMLElement;
   readonly #buttons = new Map<string, { readonly button: HTMLButtonElement; handle: Handle }>();
-  readonly #moved: () => void;
+  readonly #host: HandleHost;
+  /** One of them is dragged. */
+  held = false;
 
-  /** `moved` is called when a move ends. */
-  constructor(stage: HTMLElement, moved: () => void) {
+  constructor(stage: HTMLElement, host: HandleHost) {
     this.#stage = stage;
-    this.#moved = moved;
+    this.#host = host;
   }
 
   show(handles: readonly Handle[]): void {
@@ -71,22 +102,21 @@ export class HandleLayer {
       if (event.button !== 0) return;
       button.setPointerCapture(event.pointerId);
       grip = [event.clientX - kept.handle.x, event.clientY - kept.handle.y];
+      this.held = true;
     });
     button.addEventListener('pointermove', (event) => {
       if (grip) kept.handle.move(event.clientX - grip[0], event.clientY - grip[1]);
     });
     button.addEventListener('lostpointercapture', () => {
-      if (grip) this.#moved();
+      this.held = false;
+      if (grip) this.#host.moved();
       grip = null;
     });
     button.addEventListener('keydown', (event) => {
-      const way = ARROWS[event.key];
-      if (!way || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      if (!pressed(kept.handle, event.key, event.shiftKey ? 10 : 1, this.#host.state)) return;
       event.preventDefault();
-      const { x, y, step = 4 } = kept.handle;
-      const far = step * (event.shiftKey ? 10 : 1);
-      kept.handle.move(x + way[0] * far, y + way[1] * far);
-      this.#moved();
+      this.#host.moved();
     });
     return kept;
   }

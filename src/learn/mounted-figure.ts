@@ -1,5 +1,5 @@
 import { type ControlRow, controlRow } from './control-row.ts';
-import { allowed, defaultsOf, type Value, type Values } from './controls.ts';
+import { allowed, defaultsOf, type Kept, type Value, type Values } from './controls.ts';
 import type { FigureHost, FigureSpec, FigureStage } from './figure.ts';
 import { type Colours, pageColours } from './figure-colours.ts';
 import { FigureFrame } from './figure-frame.ts';
@@ -19,6 +19,8 @@ export class MountedFigure implements Live, FigureHost {
   visible = false;
   readonly size = { width: 0, height: 0 };
   readonly #spec: FigureSpec;
+  /** The controls, and what is dragged alone. */
+  readonly #kept: readonly Kept[];
   readonly #page: LivePage;
   readonly #frame: FigureFrame;
   readonly #handles: HandleLayer;
@@ -38,21 +40,25 @@ export class MountedFigure implements Live, FigureHost {
     this.element = element;
     this.#spec = spec;
     this.#page = page;
-    this.#values = defaultsOf(spec.controls);
+    this.#kept = [...spec.controls, ...(spec.dragged ?? [])];
+    this.#values = defaultsOf(this.#kept);
     this.#time = spec.begin ?? 0;
     this.#playing = Boolean(spec.moves) && !matchMedia('(prefers-reduced-motion: reduce)').matches;
     this.#frame = new FigureFrame(element, spec, {
       play: () => this.#play(!this.#playing),
       step: () => this.#step(),
       reset: () => this.#reset(),
-      link: () => `${location.href.replace(/#.*/, '')}#${writeFigure(this.id, spec.controls, this.#values)}`,
+      link: () => `${location.href.replace(/#.*/, '')}#${writeFigure(this.id, this.#kept, this.#values)}`,
     });
     for (const control of spec.controls) {
       const row = controlRow(control, `${spec.id}-${control.id}`, (value, done) => this.#tell(control.id, value, done));
       this.#rows.set(control.id, row);
       this.#frame.controls.append(row.element);
     }
-    this.#handles = new HandleLayer(this.#frame.stage, () => this.#done());
+    this.#handles = new HandleLayer(this.#frame.stage, {
+      moved: () => this.#done(),
+      state: () => this.#values,
+    });
     this.#frame.showPlaying(this.#playing);
     this.#showValues();
     new ResizeObserver(() => this.redraw()).observe(this.#frame.stage);
@@ -83,13 +89,17 @@ export class MountedFigure implements Live, FigureHost {
     return this.#failed || (this.#drawn && !this.#waits && !this.#stale);
   }
 
+  get held(): boolean {
+    return this.#handles.held;
+  }
+
   values(): Values {
     return this.#values;
   }
 
   set(id: string, value: Value): void {
-    const control = this.#spec.controls.find((each) => each.id === id);
-    if (!control) throw new Error(`Figure '${this.id}' has no control '${id}'.`);
+    const control = this.#kept.find((each) => each.id === id);
+    if (!control) throw new Error(`Figure '${this.id}' has no value '${id}'.`);
     const kept = allowed(control, value);
     if (kept !== undefined) this.#tell(id, kept, false);
   }
@@ -110,7 +120,7 @@ export class MountedFigure implements Live, FigureHost {
   }
 
   restore(hash: string): void {
-    this.#values = { ...defaultsOf(this.#spec.controls), ...readFigure(hash, this.#spec.controls) };
+    this.#values = { ...defaultsOf(this.#kept), ...readFigure(hash, this.#kept) };
     this.#showValues();
     this.redraw();
   }
@@ -178,7 +188,8 @@ export class MountedFigure implements Live, FigureHost {
 
   /** A change has ended: the address says it, and screen readers hear it. */
   #done(): void {
-    history.replaceState(null, '', `#${writeFigure(this.id, this.#spec.controls, this.#values)}`);
+    history.replaceState(null, '', `#${writeFigure(this.id, this.#kept, this.#values)}`);
+    this.redraw();
     this.#frame.tell(this.#text(), true);
   }
 
@@ -187,7 +198,7 @@ export class MountedFigure implements Live, FigureHost {
       const value = this.#values[id];
       if (value !== undefined) row.show(value);
     }
-    this.#frame.showOpen(this.#values);
+    this.#frame.showLinks(this.#values);
   }
 
   #play(playing: boolean): void {
@@ -203,7 +214,7 @@ export class MountedFigure implements Live, FigureHost {
   }
 
   #reset(): void {
-    this.#values = defaultsOf(this.#spec.controls);
+    this.#values = defaultsOf(this.#kept);
     this.#time = this.#spec.begin ?? 0;
     this.#stage?.reset?.();
     this.#showValues();

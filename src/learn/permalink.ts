@@ -1,7 +1,7 @@
-import { allowed, type Control, isChoice, isNumber, type Value, type Values } from './controls.ts';
+import { allowed, isChoice, isNumber, type Kept, type Value, type Values } from './controls.ts';
 
 /** The part of an address behind `#` that shows a figure with these values: `fig=ID&a=1`; what is as it began is left out. */
-export function writeFigure(figure: string, controls: readonly Control[], values: Values): string {
+export function writeFigure(figure: string, controls: readonly Kept[], values: Values): string {
   const pairs = controls
     .filter(({ id, value }) => values[id] !== undefined && values[id] !== value)
     .map(({ id }) => [id, String(values[id])]);
@@ -12,7 +12,7 @@ export function writeFigure(figure: string, controls: readonly Control[], values
 export const figureNamed = (hash: string): string | null => new URLSearchParams(hash.replace(/^#/, '')).get('fig');
 
 /** The values in an address; those that it does not name, or that are not allowed, are left out. */
-export function readFigure(hash: string, controls: readonly Control[]): Record<string, Value> {
+export function readFigure(hash: string, controls: readonly Kept[]): Record<string, Value> {
   const given = new URLSearchParams(hash.replace(/^#/, ''));
   const values: Record<string, Value> = {};
   for (const control of controls) {

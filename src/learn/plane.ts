@@ -80,6 +80,13 @@ export class Plane {
     return this.#map.toWorld(px, py);
   }
 
+  /** The nearest point that is shown, `edge` units from the edges. */
+  within([x, y]: Point, edge = 0): Point {
+    const kept = (v: number, [from, to]: readonly [number, number]): number =>
+      Math.min(Math.max(v, from + edge), to - edge);
+    return [kept(x, this.x), kept(y, this.y)];
+  }
+
   /** Hairlines every so many units; default a round step. */
   grid(stepX = niceStep(this.x[1] - this.x[0]), stepY = niceStep(this.y[1] - this.y[0])): void {
     const style = { colour: this.#host.colours().hairline, width: 1 };

@@ -47,7 +47,7 @@ export interface TreeStageOptions {
   readonly pixels?: number;
   /** Called before each drawing. */
   dress?(scene: TreeScene, values: Values, time: number): void;
-  readouts?(scene: TreeScene, values: Values): Readonly<Record<string, number | string>>;
+  readouts?(scene: TreeScene, values: Values, time: number): Readonly<Record<string, number | string>>;
   text?(values: Values, grown: GrownTree | null): string;
 }
 
@@ -141,7 +141,7 @@ class TreeStage implements FigureStage, StageUser {
     const { width, height } = this.#host.canvas;
     context?.clearRect(0, 0, width, height);
     context?.drawImage(stage.renderer.domElement, 0, 0, width, height);
-    return this.#options.readouts?.({ stage, tree, grown }, values) ?? {};
+    return this.#options.readouts?.({ stage, tree, grown }, values, time) ?? {};
   }
 
   text(values: Values): string {

@@ -22,12 +22,12 @@ export const BRANCH_LINE: Injection = {
   ],
 };
 
-/** Where a point gets its size; one that is not drawn leaves the picture. */
+/** Where a point gets its size; one that is not drawn leaves the picture. In a shadow map `normalMatrix` is still that of the last picture's eye. */
 const pointSize: readonly Patch[] = [
   { anchor: '#include <clipping_planes_pars_vertex>', before: pointVertex },
   {
     anchor: '#include <project_vertex>',
-    after: `gl_PointSize = leafPointSize(mvPosition.xyz, normalize(normalMatrix * here.normal), gl_Position.w, gl_InstanceID * leafRange.y + int(blade.z), here.own);
+    after: `gl_PointSize = leafPointSize(mvPosition.xyz, normalize(mat3(modelViewMatrix) * here.normal), gl_Position.w, gl_InstanceID * leafRange.y + int(blade.z), here.own);
 if (gl_PointSize == 0.0) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);`,
   },
 ];

@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { allowed, type Control, defaultsOf } from '../../src/learn/controls.ts';
+import { pressed } from '../../src/learn/handle.ts';
 import { figureNamed, readFigure, writeFigure } from '../../src/learn/permalink.ts';
 import { mapPlane, niceStep, ticks } from '../../src/learn/plane-map.ts';
 
@@ -58,5 +59,38 @@ describe('the address of a figure', () => {
     expect(readFigure('#fig=f&a=abc&c=false', controls)).toEqual({ c: false });
     expect(allowed(controls[0]!, 0.3333)).toBe(0.3);
     expect(allowed(controls[0]!, '')).toBeUndefined();
+  });
+});
+
+describe('an arrow key on a handle', () => {
+  /** A handle on a scale with a step of 15 pixels, up to 300. */
+  const scale = (turn?: (steps: number) => void) => {
+    let at = 150;
+    const move = (x: number): void => {
+      at = Math.min(300, Math.round(x / 15) * 15);
+    };
+    const press = (key: string, times = 1) =>
+      pressed({ id: 'h', label: 'H', x: at, y: 0, move, ...(turn && { turn }) }, key, times, () => at);
+    return { press, at: () => at };
+  };
+
+  test('goes as far as it takes for something to change, and stays at the end', () => {
+    const { press, at } = scale();
+    expect(press('ArrowRight')).toBe(true);
+    expect(at()).toBe(165);
+    press('ArrowLeft', 10);
+    expect(at()).toBe(120);
+    press('ArrowUp');
+    expect(at()).toBe(120);
+    for (let i = 0; i < 30; i++) press('ArrowRight');
+    expect(at()).toBe(300);
+    expect(press('Home')).toBe(false);
+  });
+
+  test('goes round where the handle does', () => {
+    const turns: number[] = [];
+    const { press } = scale((steps) => turns.push(steps));
+    for (const key of ['ArrowRight', 'ArrowUp', 'ArrowLeft', 'ArrowDown']) press(key, 2);
+    expect(turns).toEqual([2, 2, -2, -2]);
   });
 });

@@ -95,9 +95,6 @@ export function naiveNormal(h: Handles, u: number, cosTheta: number, sinTheta: n
 /** The largest angle by which Sloan's projection twists a frame at a joint of `angle` radians: tan = (1 - cos) / (2 sqrt(cos)). */
 export const mostTwist = (angle: number): number => Math.atan((1 - Math.cos(angle)) / (2 * Math.sqrt(Math.cos(angle))));
 
-/** Part of its width that a section keeps in the plane of the bend, in the middle of a curve that bends by `angle` at both joints. */
-export const sectionWidth = (angle: number): number => (1 + Math.cos(angle)) / 2;
-
 /** Where the curve ends up that the printed last line of equation 9 begins with: the distance of its first point from P0. */
 export const printedGap = (c: Cubic, h: Handles): number =>
   Math.hypot(...subtract(construction(c, h, 0, 0, 0, true).point, bezierPoint(c, 0)));

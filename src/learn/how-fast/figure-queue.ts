@@ -32,11 +32,13 @@ export const QUEUE_FIGURE: FigureSpec = {
   ],
   stage: (host) => {
     const plane = new Plane(host);
+    let end = 0;
     return {
       draw(values) {
         const { cpu, gpu, stop, told } = found(values);
         const cost = numberOf(values, 'cost');
-        const end = Math.max(stop, gpu.at(-1)?.to ?? 0) * 1.08 + 1;
+        // A scale that followed the drag would run away from the pointer.
+        if (!host.held) end = Math.max(stop, gpu.at(-1)?.to ?? 0) * 1.08 + 1;
         const narrow = host.size.width < 480;
         plane.begin({ x: [0, end], y: [0, 3], margin: { left: narrow ? 64 : 88, right: 20, top: 20, bottom: 30 } });
         const colours = host.colours();

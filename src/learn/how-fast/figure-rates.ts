@@ -18,6 +18,8 @@ export interface RateGraph {
   /** Sizes shown, and rates. */
   readonly sizes: Point;
   readonly rates: Point;
+  /** The view of the editor that shows what is counted. */
+  readonly view: 'wireframe' | 'control';
   /** In thousands. */
   readonly size: { readonly min: number; readonly max: number; readonly step: number; readonly value: number };
 }
@@ -60,6 +62,8 @@ export function rateFigure(graph: RateGraph, measured: Measured): FigureSpec {
       { id: 'ratio', label: 'Yours / paper’s' },
       { id: 'each', label: `You pay for each of the ${things}`, unit: 'ns' },
     ],
+    open: () => `s=quaking-aspen&seed=1&leaves=0&view=${graph.view}`,
+    page: { name: 'Benchmark', address: () => 'bench.html' },
     stage: (host) => {
       const plane = new Plane(host);
       measured.watch(() => host.redraw());
@@ -147,12 +151,14 @@ export function rateFigure(graph: RateGraph, measured: Measured): FigureSpec {
           if (others) {
             curve(others, colours.line, 1.5, [2, 4]);
             dots(other, colours.line, 3);
-            const last = other.at(-1) as Rate;
-            plane.text([x(last.size), y(last.perSecond)], graph.otherName, {
+            // Below the line, where nothing else stands.
+            const narrow = host.size.width < 480;
+            const named = other[narrow ? 1 : 2] as Rate;
+            plane.text([x(named.size), y(named.perSecond)], graph.otherName, {
               colour: colours.soft,
               size: 12,
-              align: 'right',
-              shift: [4, 20],
+              align: narrow ? 'left' : 'right',
+              shift: narrow ? [-30, 62] : [-8, 20],
             });
           }
           curve(theirs, colours.rest, 2, [8, 5]);

@@ -123,9 +123,10 @@ export class Panel {
       throw new Error(words.noContext);
     }
     this.#renderer = rendererName(made.renderer);
-    this.#machine.textContent = words.renderer(this.#renderer);
+    const { floatTargets } = capabilitiesOf(made.renderer);
+    this.#machine.textContent = `${words.renderer(this.#renderer)}${floatTargets ? '' : `. ${words.noTargets}`}`;
     this.#machine.hidden = false;
-    if (capabilitiesOf(made.renderer).floatTargets) return made;
+    if (floatTargets) return made;
     return { ...made, series: made.series.filter(({ kind }) => kind !== 'steps') };
   }
 

@@ -15,7 +15,7 @@ export const words = {
   done: (seconds: number) => `Done in ${seconds.toFixed(0)} seconds.`,
   failed: (why: string) => `It did not work: ${why}`,
   noContext: 'this browser gives no WebGL2 context, so there is nothing to measure.',
-  noTargets: 'the graphics of this browser cannot write the textures of the wind.',
+  noTargets: 'Its graphics cannot write the textures of the wind: the steps are left out.',
   renderer: (name: string) => `Measured on: ${name}`,
   table: 'What your machine does',
   columns: ['what', 'size', 'milliseconds', 'a second', 'median / least'],

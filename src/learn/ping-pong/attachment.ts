@@ -15,8 +15,6 @@ const O: Vec3 = [1, 0, 0];
 /** The child as it was grown: its foot at the origin, along x. */
 const CHILD: Cubic = { p0: [0, 0, 0], p1: [0.35, 0, 0], p2: [0.7, 0.06, 0], p3: [1.02, 0.2, 0] };
 const RADIUS = 0.13;
-/** Where the parent ends at first. */
-const END: Vec3 = [1.5, 0, 1.5];
 
 const flat = ([x, y, z]: Vec3): Point => {
   const away = x * Math.sin(TURN) + y * Math.cos(TURN);
@@ -29,15 +27,19 @@ const lift = (sx: number, sy: number): Vec3 => {
   return [x, 0, (sy - x * Math.sin(TURN) * Math.sin(ABOVE)) / Math.cos(ABOVE)];
 };
 
-class Attachment extends PlaneFigure {
-  #end: Vec3 = END;
+/** The parent as its end has been dragged. */
+function parentOf(values: Values): Cubic {
+  const [x, z] = [numberOf(values, 'endX'), numberOf(values, 'endZ')];
+  return { p0: [0, 0, 0], p1: [0, 0, 0.75], p2: [0.22 * x, 0, 0.75 + 0.55 * (z - 0.75) + 0.25], p3: [x, 0, z] };
+}
 
+class Attachment extends PlaneFigure {
   draw(values: Values): Record<string, string> {
     const plane = this.plane;
     const colours = this.host.colours();
     const { rest, wrong, answer, level0, soft } = colours;
     const [v, theta, alpha] = this.#of(values);
-    const parent = this.#parent();
+    const parent = parentOf(values);
     plane.begin({ x: [-0.9, 2], y: [-0.15, 2.3], equal: true });
     this.#tube(parent);
     this.#curve(parent, { colour: level0, width: 3 });
@@ -77,18 +79,18 @@ class Attachment extends PlaneFigure {
   handles(values: Values) {
     const plane = this.plane;
     const host = this.host;
-    const parent = this.#parent();
+    const parent = parentOf(values);
     const [v] = this.#of(values);
     return [
       plane.handle({
         id: 'end',
         label: 'End of the parent',
-        at: flat(this.#end),
+        at: flat(parent.p3),
         colour: host.colours().level0,
         move: (x, y) => {
           const [ex, , ez] = lift(x, y);
-          this.#end = [Math.min(2, Math.max(-1.2, ex)), 0, Math.min(2.5, Math.max(0.5, ez))];
-          host.redraw();
+          host.set('endX', ex);
+          host.set('endZ', ez);
         },
       }),
       plane.handle({
@@ -102,23 +104,15 @@ class Attachment extends PlaneFigure {
     ];
   }
 
-  reset(): void {
-    this.#end = END;
-  }
-
   text(values: Values): string {
     const [v, theta] = this.#of(values);
-    const lean = leanOf(printedAxis(this.#parent(), O, v, theta), attachAxes(this.#parent(), O, v, theta)[0]);
+    const parent = parentOf(values);
+    const lean = leanOf(printedAxis(parent, O, v, theta), attachAxes(parent, O, v, theta)[0]);
     return `A child grows on a bent parent. The printed axis V leans by ${Math.abs(lean).toFixed(1)} degrees.`;
   }
 
   #of(values: Values): [v: number, theta: number, alpha: number] {
     return [numberOf(values, 'v'), numberOf(values, 'theta') * DEGREE, numberOf(values, 'alpha') * DEGREE];
-  }
-
-  #parent(): Cubic {
-    const [x, , z] = this.#end;
-    return { p0: [0, 0, 0], p1: [0, 0, 0.75], p2: [0.22 * x, 0, 0.75 + 0.55 * (z - 0.75) + 0.25], p3: this.#end };
   }
 
   #curve(curve: Cubic, style: { colour: string; width: number }): void {
@@ -176,6 +170,10 @@ export const attachment: FigureSpec = {
     { id: 'v', label: 'Along the parent, v', min: 0.05, max: 1, step: 0.01, value: 0.62 },
     { id: 'theta', label: 'Around it, θ', unit: '°', min: -180, max: 180, step: 1, value: 150 },
     { id: 'alpha', label: 'Away from it, α', unit: '°', min: 0, max: 140, step: 1, value: 62 },
+  ],
+  dragged: [
+    { id: 'endX', min: -1.2, max: 2, step: 0.001, value: 1.5 },
+    { id: 'endZ', min: 0.5, max: 2.5, step: 0.001, value: 1.5 },
   ],
   readouts: [
     { id: 'lean', label: 'Printed V off the right angle', unit: '°' },

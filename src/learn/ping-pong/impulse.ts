@@ -13,8 +13,6 @@ class Impulses implements FigureStage {
   readonly #drawing: Plane;
   readonly #bars: Plane;
   #made: { values: Values; run: Impulse } | null = null;
-  /** Steps that the reader has added to those of the clock. */
-  #ahead = 0;
   #clock = 0;
 
   constructor(host: FigureHost) {
@@ -31,7 +29,7 @@ class Impulses implements FigureStage {
     const { run } = this.#made;
     this.#clock = Math.floor(time * RATE);
     // From the rest, as step -1, to where all is right.
-    const step = ((((this.#clock + this.#ahead) % (count + 1)) + count + 1) % (count + 1)) - 1;
+    const step = this.#step(values, count);
     const pose = step < 0 ? run.tree.restPose.data : (run.steps[step] ?? run.exact);
     const { size } = this.#host;
     const margin = marginsOf(size, { x: [0, 0.52], y: [0, 0.86] });
@@ -51,9 +49,9 @@ class Impulses implements FigureStage {
     };
   }
 
-  handles() {
+  handles(values: Values) {
     const count = (this.#made?.run.tree.pieceCount ?? 5) + 1;
-    const step = this.#step(count);
+    const step = this.#step(values, count);
     const [x, y] = this.#spot(step, count);
     return [
       {
@@ -66,24 +64,19 @@ class Impulses implements FigureStage {
         said: step < 0 ? 'before the impulse' : `step ${step}`,
         move: (px: number) => {
           const wanted = Math.round((px - this.#spot(-1, count)[0]) / this.#gap(count)) - 1;
-          this.#ahead += Math.min(count - 1, Math.max(-1, wanted)) - step;
-          this.#host.redraw();
+          this.#host.set('ahead', numberOf(values, 'ahead') + Math.min(count - 1, Math.max(-1, wanted)) - step);
         },
       },
     ];
   }
 
-  reset(): void {
-    this.#ahead = 0;
-  }
-
-  text(): string {
+  text(values: Values): string {
     const count = (this.#made?.run.tree.pieceCount ?? 5) + 1;
-    return `At step ${this.#step(count)}: each step brings one more level to its place.`;
+    return `At step ${this.#step(values, count)}: each step brings one more level to its place.`;
   }
 
-  #step(count: number): number {
-    return ((((this.#clock + this.#ahead) % (count + 1)) + count + 1) % (count + 1)) - 1;
+  #step(values: Values, count: number): number {
+    return ((((this.#clock + numberOf(values, 'ahead')) % (count + 1)) + count + 1) % (count + 1)) - 1;
   }
 
   #chain({ tree }: Impulse, pose: Float32Array, colour: (i: number) => string, width: number, alpha: number): void {
@@ -168,6 +161,8 @@ export const impulse: FigureSpec = {
     { id: 'levels', label: 'Levels', min: 2, max: 7, step: 1, value: 5 },
     { id: 'force', label: 'Bend of the lowest', min: 0.2, max: 2, step: 0.1, value: 0.8 },
   ],
+  // Steps that the reader has added to those of the clock.
+  dragged: [{ id: 'ahead', min: -8, max: 8, step: 1, value: 0 }],
   readouts: [
     { id: 'step', label: 'Step' },
     { id: 'off', label: 'Levels not in their place' },

@@ -6,9 +6,9 @@ import { marginsOf } from '../panels.ts';
 import { Plane } from '../plane.ts';
 import { PlaneFigure } from '../plane-figure.ts';
 import { windOf } from '../sum-of-sines/waves.ts';
-import { windLink } from '../wind-link.ts';
 import { apartByDepth, type BothPoses, bothPoses } from './lag-run.ts';
 import { smallTree } from './small-tree.ts';
+import { smallTreeLink } from './small-tree-link.ts';
 import { TreeDrawing } from './tree-drawing.ts';
 
 /** A swell along x that passes `frequency` times a second. */
@@ -128,6 +128,6 @@ export const lagged: FigureSpec = {
     { id: 'bound', label: 'Bound d Δt v', unit: 'mm' },
     { id: 'late', label: 'They are late by', unit: 'ms' },
   ],
-  open: (values) => windLink(swell(numberOf(values, 'amplitude'), numberOf(values, 'frequency'))),
+  open: (values) => smallTreeLink(swell(numberOf(values, 'amplitude'), numberOf(values, 'frequency'))),
   stage: (host) => new Lagged(host),
 };

@@ -54,8 +54,14 @@ const FILE = {
   // They are not drawn; their weight makes the branches as slow as those of a tree in leaf.
   leaves: { count: 24, shape: 0, scale: 0.2, scaleX: 1, bend: 0.3, quality: 1 },
   wind: { stiffness: [1.6, 1, 1, 1], modulus: 3, density: 850, leafMass: 0.4 },
+  bark: { colour: '#8f8474', dark: '#4a4238' },
   pruning: { ratio: 0, width: 0.5, widthPeak: 0.5, powerLow: 0.5, powerHigh: 0.5 },
 };
+
+export const SMALL_TREE_SEED = 4;
+
+/** The species file of the small tree, for a link to the editor. */
+export const smallTreeFile = (): string => JSON.stringify(FILE);
 
 function parsed(): Species {
   const { species, faults } = parseSpecies(FILE);
@@ -67,6 +73,6 @@ let grown: GrownPacked | null = null;
 
 /** The tree of the lessons, grown once a page: its pieces, packed as for the GPU. */
 export function smallTree(): GrownPacked {
-  grown ??= growPacked(parsed(), 4);
+  grown ??= growPacked(parsed(), SMALL_TREE_SEED);
   return grown;
 }

@@ -6,7 +6,8 @@ import { someWaves, windOf } from '../sum-of-sines/waves.ts';
 import { steadyGust } from './chain.ts';
 
 const SOFT = { strength: 1, lengthExponent: 0.6, stiffness: 0.5 } as const;
-const BREEZE = windOf(someWaves(4, 2.2, 0.3, 1), SOFT);
+/** What blows while nothing is struck. */
+export const BREEZE = windOf(someWaves(4, 2.2, 0.3, 1), SOFT);
 const STRUCK = windOf([], { ...SOFT, gusts: [steadyGust(0.4)] });
 const CALM = windOf([], SOFT);
 

@@ -12,7 +12,8 @@ import { depthOf } from './lag-run.ts';
 import { type LivePose, poseIn, type TwoSets } from './live-pose.ts';
 import { LATE, SetsDrawing } from './sets-drawing.ts';
 import { smallTree } from './small-tree.ts';
-import { StruckWind } from './struck-wind.ts';
+import { smallTreeLink } from './small-tree-link.ts';
+import { BREEZE, StruckWind } from './struck-wind.ts';
 import { TreeDrawing } from './tree-drawing.ts';
 import { twinPose } from './twin-pose.ts';
 
@@ -29,6 +30,8 @@ interface Seen {
   readonly step: number | null;
   readonly what: string;
 }
+
+const wayOf = (values: Values) => (choiceOf(values, 'way') === 'lagged' ? 'lagged' : 'exact');
 
 class Textures implements FigureStage {
   readonly ready: Promise<void>;
@@ -68,7 +71,7 @@ class Textures implements FigureStage {
     // Who plays on has done with stepping.
     if (this.#step !== null && time !== this.#stopped) this.#step = null;
     this.#time = time;
-    this.#ask(choiceOf(values, 'way') === 'lagged' ? 'lagged' : 'exact');
+    this.#ask(wayOf(values));
     const seen = this.#seen;
     if (!seen) return {};
     const chosen = numberOf(values, 'piece');
@@ -240,6 +243,6 @@ export const textures: FigureSpec = {
     { id: 'step', label: 'Step' },
     { id: 'by', label: 'Computed by' },
   ],
-  open: () => 's=quaking-aspen&seed=1&view=levels',
+  open: (values) => smallTreeLink({ ...BREEZE, pose: wayOf(values) }, 'levels'),
   stage: (host) => new Textures(host),
 };

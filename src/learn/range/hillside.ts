@@ -58,7 +58,14 @@ class Hillside extends PlaneFigure {
     }
     for (const range of [100, 300, 800]) {
       const r2 = calibratedRange(range, rows, fov);
-      p.text([range, 0], `${range} m, r₂ ${r2.toFixed(0)}`, { size: 11, colour: c.soft, shift: [4, -6] });
+      // Below the wedge, where no trees stand.
+      const below = Math.max(-range * sin, p.y[0]);
+      p.text([range * cos, below], this.host.size.width < 480 ? `${range} m` : `${range} m, r₂ ${r2.toFixed(0)}`, {
+        size: 12,
+        colour: c.soft,
+        align: 'center',
+        shift: [0, below > p.y[0] ? 16 : -4],
+      });
     }
     p.dot([0, 0], 5, { colour: c.ink });
     const millions = (n: number): string => (n / 1e6).toFixed(n < 1e7 ? 2 : 0);
@@ -91,5 +98,9 @@ export const hillside: FigureSpec = {
     { id: 'part', label: 'That is' },
     { id: 'near', label: 'Of these, nearer than 300 m' },
   ],
+  page: {
+    name: 'Open such a forest',
+    address: (values) => `forest.html#season=summer&mix=quaking-aspen:1&trees=${numberOf(values, 'trees')}`,
+  },
   stage: (host) => new Hillside(host),
 };

@@ -52,5 +52,12 @@ export const nearAndFar: FigureSpec = {
     { id: 'lines', label: 'Lines' },
     { id: 'points', label: 'Points' },
   ],
+  // The editor has other ways to draw a far tree: there it is as far as the slider says.
+  open: (values) => `s=quaking-aspen&seed=1&wind=breeze&cam=0,3,${numberOf(values, 'range')},0,6,0`,
+  page: {
+    name: 'Open from afar',
+    address: (values) =>
+      `range.html?range=${numberOf(values, 'range')}&quality=${Math.min(1, numberOf(values, 'quality'))}&near=0${switchOf(values, 'rules') ? '' : '&draw=screen'}`,
+  },
   stage,
 };

@@ -9,6 +9,8 @@ import { PlaneFigure } from '../plane-figure.ts';
 /** A mass of the middle picture; the paper takes 4 of leaves, more show better what a mass is. */
 const MASS = 16;
 
+const SEED = 4;
+
 /** Where every leaf of a tree is, seen from the side: x, z. */
 function leafPlaces({ stems, leaves }: Tree): Float32Array {
   const places = new Float32Array(2 * leaves.count);
@@ -33,7 +35,7 @@ class Prefix extends PlaneFigure {
 
   constructor(host: FigureHost, aspen: Species) {
     super(host);
-    this.#places = leafPlaces(grow(aspen, 4));
+    this.#places = leafPlaces(grow(aspen, SEED));
     this.#order = spreadOrder(this.#places.length / 2);
   }
 
@@ -106,5 +108,6 @@ export const prefix = (aspen: Species): FigureSpec => ({
     { id: 'drawn', label: 'Leaves drawn' },
     { id: 'all', label: 'Of' },
   ],
+  open: () => `s=quaking-aspen&seed=${SEED}&blow=0`,
   stage: (host) => new Prefix(host, aspen),
 });

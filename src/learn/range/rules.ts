@@ -132,7 +132,12 @@ export const rules: FigureSpec = {
   ],
   readouts: ROWS.map((item) => ({
     id: item,
-    label: `${NAMES[item]}: surfaces · ${item === 'leaves' ? 'points' : 'lines'}`,
+    label: NAMES[item],
   })),
+  page: {
+    name: 'Count them',
+    address: (values) =>
+      `range.html?range=${numberOf(values, 'range')}&quality=${Math.min(1, numberOf(values, 'quality'))}&season=${choiceOf(values, 'season')}`,
+  },
   stage: (host) => new Rules(host),
 };

@@ -21,13 +21,11 @@ const windFor = (values: Values) =>
     someWaves(numberOf(values, 'waves'), numberOf(values, 'sharpness'), HEADING, numberOf(values, 'spread') * DEGREE),
   );
 
-/** Where it is asked at first, metres. */
-const PROBE: Point = [8, -3];
+const probeOf = (values: Values): Point => [numberOf(values, 'px'), numberOf(values, 'py')];
 
 class Field extends PlaneFigure {
   readonly #trace: Plane;
   readonly #map: ForceMap;
-  #probe: Point = PROBE;
   #asked = new AskedWind(windOf([]));
   #values: Values | null = null;
   #now = 0;
@@ -48,39 +46,34 @@ class Field extends PlaneFigure {
     this.plane.begin({ x: [-30, 30], y: [-9, 9], equal: true, margin });
     this.#map.draw(this.plane, (x, y) => asked.at(x, y, time), MOST);
     this.#scale();
-    const [x, y] = this.#probe;
+    const [x, y] = probeOf(values);
     const force = asked.at(x, y, time);
     const { ink, answer } = host.colours();
     this.plane.arrow([x, y], [x + 30 * force[0], y + 30 * force[1]], { colour: ink, width: 3 });
-    const mean = this.#past(time, answer);
+    const mean = this.#past([x, y], time, answer);
     const size = Math.hypot(...force);
     return { force: size.toFixed(3), speed: speedOfForce(size).toFixed(1), mean: mean.toFixed(3) };
   }
 
-  handles() {
-    const [x, y] = this.#probe;
+  handles(values: Values) {
+    const [x, y] = probeOf(values);
     return [
       this.plane.handle({
         id: 'probe',
         label: 'Probe',
-        at: this.#probe,
+        at: [x, y],
         said: `${signed(x, 0)} metres along, ${signed(y, 0)} metres aside`,
         move: (to, up) => {
-          const { x: across, y: over } = this.plane;
-          const within = (v: number, [a, b]: readonly [number, number]) => Math.min(Math.max(v, a + 1), b - 1);
-          this.#probe = [within(to, across), within(up, over)];
-          this.host.redraw();
+          const [px, py] = this.plane.within([to, up], 1);
+          this.host.set('px', px);
+          this.host.set('py', py);
         },
       }),
     ];
   }
 
-  reset(): void {
-    this.#probe = PROBE;
-  }
-
-  text(): string {
-    const [fx, fy] = this.#asked.at(...this.#probe, this.#now);
+  text(values: Values): string {
+    const [fx, fy] = this.#asked.at(...probeOf(values), this.#now);
     return `Fronts of force cross the meadow to the right. At the probe the force is ${Math.hypot(fx, fy).toFixed(2)} metres.`;
   }
 
@@ -92,16 +85,18 @@ class Field extends PlaneFigure {
   }
 
   /** The last seconds at the probe; their mean. */
-  #past(time: number, colour: string): number {
+  #past(probe: Point, time: number, colour: string): number {
     const host = this.host;
     const margin = marginsOf(host.size, { y: [SPLIT, 1] }, { top: 14, bottom: 24, left: 44, right: 14 });
-    this.#trace.begin({ x: [-PAST, 0], y: [0, 0.3], margin }, { keep: true });
-    this.#trace.axes({ x: 'seconds ago', y: 'force at the probe, m' }, 5, 0.1);
+    this.#trace.begin({ x: [-PAST, 0], y: [0, 0.36], margin }, { keep: true });
+    this.#trace.axes({ y: 'force at the probe, m' }, 5, 0.1);
+    // Above what any of these winds reaches.
+    this.#trace.text([0, 0.36], 'seconds ago', { size: 12, align: 'right', baseline: 'top' });
     const steps = Math.min(400, Math.max(60, Math.round(host.size.width / 2)));
     let sum = 0;
     const points = Array.from({ length: steps + 1 }, (_, i): Point => {
       const ago = PAST * (i / steps - 1);
-      const size = Math.hypot(...this.#asked.at(...this.#probe, time + ago));
+      const size = Math.hypot(...this.#asked.at(...probe, time + ago));
       sum += size / (steps + 1);
       return [ago, size];
     });
@@ -126,6 +121,11 @@ export const field: FigureSpec = {
     { id: 'waves', label: 'Waves', min: 1, max: 4, step: 1, value: 4 },
     { id: 'sharpness', label: 'Sharpness k', min: 0.5, max: 6, step: 0.1, value: 2.2 },
     { id: 'spread', label: 'Spread of directions', unit: '°', min: 0, max: 180, step: 5, value: 90 },
+  ],
+  // Where it is asked, metres: along the wind and aside.
+  dragged: [
+    { id: 'px', min: -100, max: 100, step: 0.05, value: 8 },
+    { id: 'py', min: -100, max: 100, step: 0.05, value: -3 },
   ],
   readouts: [
     { id: 'force', label: 'Force at the probe', unit: 'm' },

@@ -35,15 +35,21 @@ export function measuredMean(wind: Wind, rate = 2, seconds = 3600): Point {
   return [x, y];
 }
 
+const windFor = (values: Values): Wind => {
+  const heading = (numberOf(values, 'heading') * Math.PI) / 180;
+  return windOf(someWaves(numberOf(values, 'waves'), numberOf(values, 'sharpness'), heading, 1.6), {
+    zeroMean: switchOf(values, 'zero'),
+  });
+};
+
 class Lean extends PlaneFigure {
-  #heading = 0.4;
   #wind = windOf([]);
   #asked = new AskedWind(this.#wind);
   #mean: Point = [0, 0];
-  #made: readonly [Values, number] | null = null;
+  #made: Values | null = null;
 
   draw(values: Values, time: number): Record<string, string> {
-    if (!this.#made || this.#made[0] !== values || this.#made[1] !== this.#heading) this.#make(values);
+    if (this.#made !== values) this.#make(values);
     const plane = this.plane;
     const { force, rest, answer, soft, line } = this.host.colours();
     plane.begin({ x: [-0.1, EDGE], y: [-0.16, 0.16], equal: true });
@@ -73,19 +79,19 @@ class Lean extends PlaneFigure {
     };
   }
 
-  handles() {
+  handles(values: Values) {
     const far = 0.26;
+    const degrees = numberOf(values, 'heading');
+    const heading = (degrees * Math.PI) / 180;
     return [
       this.plane.handle({
         id: 'heading',
         label: 'Direction of the wind',
-        at: [far * Math.cos(this.#heading), far * Math.sin(this.#heading)],
+        at: [far * Math.cos(heading), far * Math.sin(heading)],
         colour: this.host.colours().rest,
-        said: `${((this.#heading * 180) / Math.PI).toFixed(0)} degrees`,
-        move: (x, y) => {
-          this.#heading = Math.atan2(y, x);
-          this.host.redraw();
-        },
+        said: `${degrees} degrees`,
+        move: (x, y) => this.host.set('heading', (Math.atan2(y, x) * 180) / Math.PI),
+        turn: (steps) => this.host.set('heading', ((degrees + 2 * steps + 540) % 360) - 180),
       }),
     ];
   }
@@ -95,11 +101,10 @@ class Lean extends PlaneFigure {
   }
 
   #make(values: Values): void {
-    const waves = someWaves(numberOf(values, 'waves'), numberOf(values, 'sharpness'), this.#heading, 1.6);
-    this.#wind = windOf(waves, { zeroMean: switchOf(values, 'zero') });
+    this.#wind = windFor(values);
     this.#asked = new AskedWind(this.#wind);
     this.#mean = measuredMean(this.#wind);
-    this.#made = [values, this.#heading];
+    this.#made = values;
   }
 }
 
@@ -115,16 +120,12 @@ export const lean: FigureSpec = {
     { id: 'sharpness', label: 'Sharpness k', min: 0.5, max: 6, step: 0.1, value: 2.2 },
     { id: 'zero', label: 'Take the mean off', value: false },
   ],
+  dragged: [{ id: 'heading', min: -180, max: 180, step: 1, value: 23 }],
   readouts: [
     { id: 'mean', label: 'Mean of an hour, measured', unit: 'm' },
     { id: 'theory', label: 'Mean by the formula', unit: 'm' },
     { id: 'now', label: 'Force now', unit: 'm' },
   ],
-  open: (values) =>
-    windLink(
-      windOf(someWaves(numberOf(values, 'waves'), numberOf(values, 'sharpness'), 0.4, 1.6), {
-        zeroMean: switchOf(values, 'zero'),
-      }),
-    ),
+  open: (values) => windLink(windFor(values)),
   stage: (host) => new Lean(host),
 };

@@ -72,6 +72,8 @@ class Attraction extends PlaneFigure {
         colour: this.host.colours().force,
         said: `${numberOf(values, 'start')} degrees from the vertical`,
         move: (x, y) => this.host.set('start', Math.atan2(Math.max(0, x), y) * DEGREES),
+        // To the right and up is nearer to the vertical: as the tip goes when it is dragged.
+        turn: (steps) => this.host.set('start', numberOf(values, 'start') - steps),
       }),
     ];
   }

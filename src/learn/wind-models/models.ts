@@ -24,6 +24,19 @@ export const gustWind = (model: BendModelName, amplitude: number, rise: number, 
   sway: { ...STILL.sway, speed: 0.8, gust: 0.4 },
 });
 
+/** A wind under which every branch but the trunk is a spring of this frequency and damping ratio. */
+export const tunedWind = (name: string, hertz: number, damping: number, wind: Partial<Wind>): Wind => ({
+  ...STILL,
+  name,
+  model: 'spring',
+  spring: {
+    ...STILL.spring,
+    damping: Math.max(0.005, damping),
+    levels: [null, hertz, hertz, hertz].map((frequency) => ({ frequency, damping: null })),
+  },
+  ...wind,
+});
+
 /** A whole tree under one wind: its pose at any time. */
 export class ModelTree {
   readonly #tree: PackedTree;

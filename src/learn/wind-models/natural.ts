@@ -37,12 +37,27 @@ class Natural extends PlaneFigure {
       { colour: answer, width: 2.6 },
     );
     this.#stems();
-    const name = (x: number, f: number, text: string, colour: string, up: number): void =>
-      plane.text([x, log(f)], text, { colour, size: 13, shift: [4, up] });
-    name(-0.7, printedFrequency(10 ** -0.7, radius), 'as printed in 1995', wrong, -10);
-    name(X[0] + 0.1, bareFrequency(10 ** (X[0] + 0.1), radius), 'our trees', answer, 20);
+    plane.text([-0.7, log(printedFrequency(10 ** -0.7, radius))], 'as printed in 1995', {
+      colour: wrong,
+      shift: [4, -10],
+    });
+    // At the long end: the dots are in the way at the other.
+    plane.text([X[1], log(bareFrequency(10 ** X[1], radius))], 'our trees', {
+      colour: answer,
+      align: 'right',
+      shift: [0, -24],
+    });
     const printed = printedFrequency(length, radius);
     const rod = rodFrequency(length, radius);
+    // What the numbers say, where it stands.
+    plane.line([log(length), Y[0]], [log(length), Y[1]], { colour: line, width: 1 });
+    for (const [hertz, colour] of [
+      [rod, rest],
+      [printed, wrong],
+    ] as const) {
+      const y = log(hertz);
+      if (y >= Y[0] && y <= Y[1]) plane.dot([log(length), y], 4.5, { colour });
+    }
     return {
       ours: bareFrequency(length, radius).toFixed(2),
       rod: rod < 100 ? rod.toPrecision(3) : rod.toFixed(0),

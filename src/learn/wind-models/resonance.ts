@@ -1,7 +1,10 @@
 import { measuredResponse, type Response, springResponse } from '../../core/wind/spring-response.ts';
+import { DEFAULT_WAVE } from '../../core/wind/wind.ts';
 import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
 import { marginsOf } from '../panels.ts';
+import { smallTreeLink } from '../ping-pong/small-tree-link.ts';
 import { Plane, type Point } from '../plane.ts';
+import { tunedWind } from './models.ts';
 
 /** Hertz that are shown, and how many experiments there are. */
 const HERTZ = [0.1, 3] as const;
@@ -129,5 +132,13 @@ export const resonance: FigureSpec = {
     { id: 'late', label: 'Late by, measured', unit: '°' },
     { id: 'lateTheory', label: 'Late by, by theory', unit: '°' },
   ],
+  open: (values) =>
+    smallTreeLink(
+      tunedWind('One sine', numberOf(values, 'natural'), numberOf(values, 'damping'), {
+        waves: [
+          { ...DEFAULT_WAVE, amplitude: 0.15, wavelength: 30, speed: 30 * numberOf(values, 'drive'), sharpness: 1 },
+        ],
+      }),
+    ),
   stage: (host) => new Resonance(host),
 };

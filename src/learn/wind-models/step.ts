@@ -1,17 +1,25 @@
+import { DEFAULT_GUST } from '../../core/wind/wind.ts';
 import { choiceOf, type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
 import { marginsOf } from '../panels.ts';
+import { smallTreeLink } from '../ping-pong/small-tree-link.ts';
 import { Plane, type Point } from '../plane.ts';
+import { tunedWind } from './models.ts';
 import { eulerStates, exactStates, overshootOf, overshootTheory, periodOf, type State } from './oscillate.ts';
 
 const SECONDS = 6;
 const COUNT = 60 * SECONDS + 1;
 const TARGET = 1;
 
+/** Where it starts: its velocity is dragged in units of omega, as the plane has it. */
+const startOf = (values: Values): State => [
+  numberOf(values, 'q'),
+  2 * Math.PI * numberOf(values, 'frequency') * numberOf(values, 'v'),
+];
+
 class Step implements FigureStage {
   readonly #host: FigureHost;
   readonly #phase: Plane;
   readonly #time: Plane;
-  #start: State = [0, 0];
 
   constructor(host: FigureHost) {
     this.#host = host;
@@ -24,7 +32,7 @@ class Step implements FigureStage {
     const { answer, wrong, rest, soft, line } = this.#host.colours();
     const [damping, omega] = [numberOf(values, 'damping'), 2 * Math.PI * numberOf(values, 'frequency')];
     const euler = choiceOf(values, 'form') === 'euler';
-    const states = (euler ? eulerStates : exactStates)(this.#start, TARGET, omega, damping, COUNT);
+    const states = (euler ? eulerStates : exactStates)(startOf(values), TARGET, omega, damping, COUNT);
     const colour = euler ? wrong : answer;
     const [left, right] = [{ x: [0, 0.45] }, { x: [0.45, 1] }] as const;
     // Velocity in units of omega: then a swing without damping is a circle.
@@ -61,6 +69,7 @@ class Step implements FigureStage {
     const fromRest = (euler ? eulerStates : exactStates)([0, 0], TARGET, omega, damping, 20 * COUNT);
     const period = periodOf(fromRest, TARGET);
     return {
+      far: Math.max(...states.map(([q]) => q)).toFixed(2),
       over: `${(100 * overshootOf(fromRest.slice(0, COUNT), TARGET)).toFixed(1)}`,
       theory: (100 * overshootTheory(damping)).toFixed(1),
       period: Number.isNaN(period) ? 'none' : period.toFixed(3),
@@ -69,25 +78,26 @@ class Step implements FigureStage {
   }
 
   handles(values: Values) {
-    const omega = 2 * Math.PI * numberOf(values, 'frequency');
-    const [q, v] = this.#start;
+    const [q, v] = [numberOf(values, 'q'), numberOf(values, 'v')];
     return [
       this.#phase.handle({
         id: 'start',
         label: 'Start of the branch',
-        at: [q, v / omega],
-        said: `displacement ${q.toFixed(2)}, velocity ${v.toFixed(2)}`,
+        at: [q, v],
+        said: `displacement ${q.toFixed(2)}, velocity ${v.toFixed(2)} ω`,
         move: (x, y) => {
-          const within = (value: number, [a, b]: readonly [number, number]) => Math.min(Math.max(value, a), b);
-          this.#start = [within(x, this.#phase.x), omega * within(y, this.#phase.y)];
-          this.#host.redraw();
+          const [toQ, toV] = this.#phase.within([x, y]);
+          this.#host.set('q', toQ);
+          this.#host.set('v', toV);
         },
       }),
     ];
   }
 
   text(values: Values): string {
-    return `With a damping of ${numberOf(values, 'damping')} the branch goes ${(100 * overshootTheory(numberOf(values, 'damping'))).toFixed(0)} per cent too far.`;
+    const damping = numberOf(values, 'damping');
+    const way = choiceOf(values, 'form') === 'euler' ? 'stepped by explicit Euler' : 'stepped exactly';
+    return `A branch that starts at displacement ${numberOf(values, 'q')} and comes to rest at 1, ${way}. With a damping of ${damping} it goes, from rest, ${(100 * overshootTheory(damping)).toFixed(0)} per cent too far by theory.`;
   }
 
   #path(plane: Plane, points: readonly Point[], shown: number, colour: string): void {
@@ -128,11 +138,22 @@ export const step: FigureSpec = {
       ],
     },
   ],
+  dragged: [
+    { id: 'q', min: -3, max: 4, step: 0.01, value: 0 },
+    { id: 'v', min: -3, max: 3, step: 0.01, value: 0 },
+  ],
   readouts: [
+    { id: 'far', label: 'Farthest displacement' },
     { id: 'over', label: 'Too far by, from rest', unit: '%' },
     { id: 'theory', label: 'By theory', unit: '%' },
     { id: 'period', label: 'One swing', unit: 's' },
     { id: 'periodTheory', label: 'By theory', unit: 's' },
   ],
+  open: (values) =>
+    smallTreeLink(
+      tunedWind('A push that stays', numberOf(values, 'frequency'), numberOf(values, 'damping'), {
+        gusts: [{ ...DEFAULT_GUST, start: 1, amplitude: 0.4, rise: 0.02, fall: 60, width: 0, speed: 40, repeat: 12 }],
+      }),
+    ),
   stage: (host) => new Step(host),
 };

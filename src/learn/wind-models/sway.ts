@@ -5,9 +5,9 @@ import { STILL, type SwaySettings } from '../../core/wind/wind.ts';
 import { choiceOf, type FigureHost, type FigureSpec, numberOf, type Values } from '../figure.ts';
 import { marginsOf } from '../panels.ts';
 import { smallTree } from '../ping-pong/small-tree.ts';
+import { smallTreeLink } from '../ping-pong/small-tree-link.ts';
 import { Plane, type Point } from '../plane.ts';
 import { PlaneFigure } from '../plane-figure.ts';
-import { windLink } from '../wind-link.ts';
 import { longLimb } from './three.ts';
 
 /** Seconds of the path. */
@@ -87,11 +87,12 @@ class Sway extends PlaneFigure {
     const trace = this.#trace;
     const span = 20;
     trace.begin(
-      { x: [-span, 0], y: [-edge, edge], margin: marginsOf(size, right, { left: 48, bottom: 30, top: 16, right: 14 }) },
+      { x: [-span, 0], y: [-edge, edge], margin: marginsOf(size, right, { left: 48, bottom: 44, top: 16, right: 14 }) },
       { keep: true },
     );
     trace.grid(5, ring);
-    trace.axes({ x: 'seconds ago', y: 'swing, degrees' }, 5, ring);
+    trace.axes({ y: 'swing, degrees' }, 5, ring);
+    trace.text([0, -edge], 'seconds ago', { size: 12, align: 'right', baseline: 'top', shift: [0, 22] });
     trace.graph((t) => swing(time + t)[0], { colour, width: 2.2 });
     trace.graph((t) => swing(time + t)[1], { colour, width: 1.6, dash: [6, 4] });
     const { mechanics } = smallTree().packed;
@@ -132,6 +133,6 @@ export const sway: FigureSpec = {
     { id: 'period', label: 'Period of the quick sine', unit: 's' },
     { id: 'moved', label: 'Farthest way in two minutes', unit: '°' },
   ],
-  open: (values) => windLink({ ...STILL, name: 'Sway', model: 'sway', sway: settingsOf(values) }),
+  open: (values) => smallTreeLink({ ...STILL, name: 'Sway', model: 'sway', sway: settingsOf(values) }),
   stage: (host) => new Sway(host),
 };

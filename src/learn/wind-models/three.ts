@@ -3,9 +3,9 @@ import type { PackedTree } from '../../core/pack/packed.ts';
 import { type FigureHost, type FigureSpec, type FigureStage, numberOf, type Values } from '../figure.ts';
 import { marginsOf } from '../panels.ts';
 import { smallTree } from '../ping-pong/small-tree.ts';
+import { smallTreeLink } from '../ping-pong/small-tree-link.ts';
 import { TreeDrawing } from '../ping-pong/tree-drawing.ts';
 import { Plane, type Point } from '../plane.ts';
-import { windLink } from '../wind-link.ts';
 import { GUST_START, gustWind, MODELS, ModelTree, traceOf } from './models.ts';
 
 /** Seconds after which it begins anew. */
@@ -194,6 +194,6 @@ export const three: FigureSpec = {
     { id: 'late', label: 'Spring comes later by', unit: 's' },
   ],
   open: (values) =>
-    windLink(gustWind('spring', numberOf(values, 'gust'), numberOf(values, 'rise'), numberOf(values, 'damping'))),
+    smallTreeLink(gustWind('spring', numberOf(values, 'gust'), numberOf(values, 'rise'), numberOf(values, 'damping'))),
   stage: (host) => new Three(host),
 };

@@ -1,3 +1,6 @@
+import type { PackedTree } from '../../core/pack/packed.ts';
+import { windStateAt } from '../../core/wind/fade.ts';
+import { Probe } from '../../core/wind/probe.ts';
 import { springOmega } from '../../core/wind/spring-texels.ts';
 import { type BendModelName, DEFAULT_GUST, STILL, type Wind } from '../../core/wind/wind.ts';
 import { choiceOf, type FigureSpec, numberOf, type Values } from '../figure.ts';
@@ -29,6 +32,20 @@ function sameWind(values: Values): Wind {
   return last.wind;
 }
 
+/** What is asked what the limb does, for the tree and wind of last time. */
+let asked: { tree: PackedTree; wind: Wind; probe: Probe } | null = null;
+const reading = { fx: 0, fy: 0, x: 0, y: 0, z: 0 };
+
+/** How the end of a tree's longest limb is moved at a time, and what pushes it there: metres. */
+function limbMoved(tree: PackedTree, wind: Wind, time: number): { moved: number; force: number } {
+  if (asked?.tree !== tree || asked.wind !== wind) {
+    const probe = new Probe(tree, longLimb(tree), { wind, at: (at, out) => windStateAt(wind, at, undefined, out) });
+    asked = { tree, wind, probe };
+  }
+  const { fx, fy, x, y, z } = asked.probe.read(Math.round(60 * time), reading);
+  return { moved: Math.hypot(x, y, z), force: Math.hypot(fx, fy) };
+}
+
 /** One aspen, whose model can be switched. */
 export const tree: FigureSpec = {
   id: 'tree',
@@ -50,16 +67,23 @@ export const tree: FigureSpec = {
     { id: 'strength', label: 'Strength of the wind', min: 0, max: 1, step: 0.05, value: 0.8 },
   ],
   readouts: [
-    { id: 'pieces', label: 'Branch pieces' },
-    { id: 'limb', label: 'Its longest limb swings', unit: 'Hz' },
-    { id: 'trunk', label: 'Its trunk', unit: 'Hz' },
+    { id: 'force', label: 'Force at its longest limb', unit: 'm' },
+    { id: 'moved', label: 'Its end is moved by', unit: 'cm' },
+    { id: 'limb', label: 'As a spring it swings', unit: 'Hz' },
+    { id: 'trunk', label: 'And the trunk', unit: 'Hz' },
   ],
   open: (values) => windLink(windFor(values)),
   stage: treeStage({
     show: (values) => ({ species: 'quaking-aspen', seed: 1, wind: sameWind(values) }),
-    readouts: ({ grown: { packed } }) => {
+    readouts: ({ grown: { packed } }, values, time) => {
       const hertz = (piece: number): string => (springOmega(packed, piece, STILL.spring) / (2 * Math.PI)).toFixed(2);
-      return { pieces: packed.pieceCount, limb: hertz(longLimb(packed)), trunk: hertz(0) };
+      const { moved, force } = limbMoved(packed, sameWind(values), time);
+      return {
+        force: force.toFixed(2),
+        moved: (100 * moved).toFixed(1),
+        limb: hertz(longLimb(packed)),
+        trunk: hertz(0),
+      };
     },
     text: (values) => `An aspen in gusts, moved by the model ${choiceOf(values, 'model')}.`,
   }),
