@@ -125,6 +125,7 @@ async function flight(
   const forest = new Forest({ client, pictures, memoryBudget: 20 * MEGABYTE });
   scene.add(forest);
   forest.crossFade = fade;
+  forest.holdStep(0);
   const height = growPacked(shape, variantSeed(DEFAULT_FOREST, 0, 0)).packed.bounds[5] as number;
   const scale = (camera.projectionMatrix.elements[5] as number) * 0.5 * canvas.height;
   const pixels = treePixels([0, AWAY, 0], height, [0, 0, 5], scale);

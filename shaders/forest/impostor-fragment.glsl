@@ -7,9 +7,8 @@ in float vLaid;
 flat in vec3 vToEye;
 // Turns tree space into view space.
 flat in mat3 vTreeView;
-// Middle of the crown about the centre, height above which leaves are | its radii, light lost in it a metre.
-flat in vec4 vCrown;
-flat in vec4 vCrownRadii;
+// Half of the width and of the height of a view | height about the centre above which leaves are | light lost in the crown a metre.
+flat in vec4 vHalf;
 flat in vec4 vThrough;
 
 uniform highp sampler2DArray farShapes;
@@ -33,7 +32,7 @@ vec3 farNormalOf(vec4 shape, vec2 cell) {
 
 // Part of what is seen there that is leaves.
 float farLeaves() {
-  return smoothstep(-0.02, 0.05, (farPoint.z - vCrown.w) / vCrownRadii.z);
+  return smoothstep(-0.02, 0.05, (farPoint.z - vHalf.z) / vHalf.y);
 }
 
 // How far leaves turn from the mean of those around them.
@@ -47,7 +46,7 @@ vec3 farDiffuse() {
   vec3 w = vWeights * vWeights;
   float pick = fract(farLeaf.y * 3.0 + farLeaf.z * 5.0) * (w.x + w.y + w.z);
   // A trunk that was put together from three would be in pieces.
-  if (vCorner.z < vCrown.w) pick = 0.0;
+  if (vCorner.z < vHalf.z) pick = 0.0;
   vec2 cell = vCellC.xy;
   vec2 uv = vViewC;
   vec2 aside = vAsideC.xy;
@@ -72,7 +71,8 @@ vec3 farDiffuse() {
   farPoint = vCorner + vToEye * out_;
   float leaves = farLeaves();
   farAlpha = colour.a + mix(0.15, (farLeaf.x - 0.5) * 0.5 * farRough, leaves);
-  farSky = shape.a;
+  // What the cut takes of a tree is its rim, where most of the sky is seen.
+  farSky = min(1.04 * shape.a, 1.0);
   vec3 own = vec3(farLeaf.yz, fract(farLeaf.y * 17.0 + farLeaf.z * 5.0)) - 0.5;
   vec3 n = farNormalOf(shape, cell) + own * (FAR_SPREAD * farRough * leaves);
   // Leaves show the eye the side that they turn to it.

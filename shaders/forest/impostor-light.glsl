@@ -2,6 +2,13 @@
 
 // Mean length of the sum of the normals of leaves that a texel shows.
 const float FAR_ALIKE = 0.72;
+// Part of the light that is not mirrored at the surface, as near leaves have it (shaders/leaf/through.glsl).
+const float FAR_ENTERS = 0.95;
+// Metres behind the first leaf in which all are lit as it is; how much more is lost behind them than the mean of the crown says.
+const float FAR_SLACK = 0.35;
+const float FAR_LOST = 1.25;
+// Leaves that are turned all ways mirror so much more than one that is turned as they are on the mean.
+const float FAR_GLOSS = 1.6;
 
 // Is this leaf lit of which a share `lit` are?
 float farLit(float lit) {
@@ -16,17 +23,14 @@ float farCatch(float x) {
   return 0.5 * (y + sqrt(y * y + s * s));
 }
 
-// Metres that light along d, tree space, has come through the ellipsoid of the crown.
+// Metres of the crown that light along d, tree space, has come through: how far the point lies behind what the picture shows that was taken
+// from nearest to there. Every tree has the shadow map of its own outline so.
 float farWay(vec3 d) {
-  vec3 q = (farPoint - vCrown.xyz) / vCrownRadii.xyz;
-  vec3 m = d / vCrownRadii.xyz;
-  float a = dot(m, m);
-  float b = dot(q, m);
-  float c = dot(q, q) - 1.0;
-  float root = b * b - a * c;
-  if (root <= 0.0) return 0.0;
-  root = sqrt(root);
-  return max(0.0, root - b - max(-root - b, 0.0)) / a;
+  vec2 cell = floor((0.5 * hemiOctahedral(d) + 0.5) * (farViews.x - 1.0) + 0.5);
+  mat3 frame = viewFrame(viewDirection(cell, farViews.x));
+  vec3 p = farPoint * frame;
+  float before = textureLod(farShapes, farPlaceOn(0.5 + 0.5 * p.xy / vHalf.xy, cell), vCellC.w).z;
+  return vAsideC.z * (1.0 - 2.0 * before) - p.z;
 }
 
 void RE_Direct_Far(
@@ -34,15 +38,28 @@ void RE_Direct_Far(
   const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material,
   inout ReflectedLight reflectedLight
 ) {
-  float lit = farLit(exp(-vCrownRadii.w * farWay(directLight.direction * vTreeView)));
+  float lit = farLit(exp(-FAR_LOST * vHalf.w * max(farWay(directLight.direction * vTreeView) - FAR_SLACK, 0.0)));
   float facing = dot(geometryNormal, directLight.direction);
   vec3 light = directLight.color * lit;
-  reflectedLight.directDiffuse += light * farCatch(facing) * BRDF_Lambert(material.diffuseContribution);
+  reflectedLight.directSpecular +=
+    light * (FAR_GLOSS * saturate(facing)) * BRDF_GGX(directLight.direction, geometryViewDir, geometryNormal, material);
+  reflectedLight.directDiffuse += light * farCatch(facing) * (FAR_ENTERS * RECIPROCAL_PI) * material.diffuseColor;
   float behind = farCatch(-facing);
   float towards = saturate(-dot(geometryViewDir, directLight.direction));
   towards *= towards;
-  float through = 0.5 * behind + 0.5 * towards * towards * (0.35 + 0.65 * behind);
+  float through = 0.35 * behind + 0.4 * towards * towards * (0.35 + 0.65 * behind);
   reflectedLight.directDiffuse += light * vThrough.rgb * (farLeaves() * through * farSky * RECIPROCAL_PI);
 }
 #undef RE_Direct
 #define RE_Direct RE_Direct_Far
+#ifndef USE_ENVMAP
+void RE_IndirectDiffuse_Far(
+  const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal,
+  const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material,
+  inout ReflectedLight reflectedLight
+) {
+  reflectedLight.indirectDiffuse += irradiance * (FAR_ENTERS * RECIPROCAL_PI) * material.diffuseColor;
+}
+#undef RE_IndirectDiffuse
+#define RE_IndirectDiffuse RE_IndirectDiffuse_Far
+#endif

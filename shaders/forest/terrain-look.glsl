@@ -59,7 +59,9 @@ vec3 terrainDiffuse() {
   c = mix(c, earth * (0.5 + 0.8 * broad.r), 0.8 * smoothstep(0.16, 0.34, steep + 0.16 * (broad.g - 0.5)));
   float under = 1.0 - terrainLight.y;
   float litter = smoothstep(0.3, 0.85, under + 0.45 * (broad.g - 0.5) + 0.25 * (broad.r - 0.5));
-  return mix(c, terrainLitter * (0.55 + 0.9 * broad.r), 0.85 * litter);
+  // Woods far outside are seen from above: crowns, not what lies under them.
+  vec3 floor_ = mix(grassDark * (0.35 + 0.3 * broad.r), terrainLitter * (0.55 + 0.9 * broad.r), terrainInside());
+  return mix(c, floor_, 0.85 * litter);
 }
 
 // Light of the sky that gets through the crowns.

@@ -75,7 +75,7 @@ export function drawShell(into: HTMLElement, store: Store, sources: Sources, wor
 
 /** What the page is at: seeding, growing, or nothing to be told of. */
 function workText(world: World): string {
-  if (!world.seeded) return words.seeding;
+  if (world.seeding) return words.seeding;
   const { progress, growing } = world.stats;
   if (progress < 1) return words.shaping(progress);
   return growing > 0 ? words.dressing(growing) : '';

@@ -66,6 +66,11 @@ export class World {
     return this.#made === null || this.#wish !== this.#made || !this.forest.settled;
   }
 
+  /** A forest is asked for that does not stand yet. */
+  get seeding(): boolean {
+    return this.#wish !== this.#made;
+  }
+
   get seeded(): boolean {
     return this.#made !== null && this.#wish === this.#made;
   }
@@ -88,7 +93,7 @@ export class World {
       else this.clock.pause();
     }
     this.forest.budget = document.budget;
-    this.stage.setScene(document.stage, document.hour);
+    this.stage.setScene(document.stage, document.hour, document.season);
     void this.#blow(document);
     this.#stale = 2;
     const wish = wishOf(document, heightMap, densityMap);
@@ -138,6 +143,9 @@ export class World {
       this.#stale = 2;
       this.onForest(document, places.count);
     } catch (error) {
+      // Of what is no longer asked for nobody wants to hear; else what stands stays, and the same may be asked for again.
+      if (turn !== this.#turn) return;
+      this.#wish = this.#made;
       this.onError(error);
     }
   }

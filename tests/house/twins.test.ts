@@ -56,6 +56,7 @@ const drawing = new Set([
   'RE_Direct_Leaf',
   'RE_IndirectDiffuse_Leaf',
   'RE_Direct_Far',
+  'RE_IndirectDiffuse_Far',
   'farLit',
   'farCatch',
   'farWay',

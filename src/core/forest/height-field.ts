@@ -8,6 +8,20 @@ export interface HeightField {
   readonly heights: Float32Array;
 }
 
+/** Throws RangeError where a field is no ground: with a single NaN in it a whole forest would be nowhere, and nothing would say why. */
+export function checkField({ size, side, heights }: HeightField): void {
+  if (!(size > 0 && size < Infinity))
+    throw new RangeError(`A height field of ${size} m a side: more than 0 is needed.`);
+  if (!(side >= 2)) throw new RangeError(`A height field of ${side} samples a side: at least 2 are needed.`);
+  if (heights.length !== side * side)
+    throw new RangeError(`A height field of ${side} samples a side has ${heights.length} heights, not ${side * side}.`);
+  const at = heights.findIndex((height) => !Number.isFinite(height));
+  if (at >= 0)
+    throw new RangeError(
+      `Height ${at % side}, ${Math.floor(at / side)} of a height field is ${heights[at]}, no metres.`,
+    );
+}
+
 /** Level ground of `size` metres. */
 export const levelField = (size: number): HeightField => ({ size, side: 2, heights: new Float32Array(4) });
 

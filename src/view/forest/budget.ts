@@ -60,8 +60,7 @@ const ASLEEP = 1000;
 
 /** Keeps the frame time by one step at a time: gives way soon, takes back late and ever later. */
 export class BudgetMeter {
-  /** Milliseconds a frame. */
-  budget: number;
+  #budget: number;
   #step = 0;
   #frames: number[] = [];
   /** Their sum, and whether the last one was so long that the page may have slept. */
@@ -75,7 +74,21 @@ export class BudgetMeter {
   #shortest = Number.POSITIVE_INFINITY;
 
   constructor(budget: number) {
-    this.budget = budget;
+    this.#budget = budget;
+  }
+
+  /** Milliseconds a frame; another one is tried as if nothing had been too much yet. */
+  get budget(): number {
+    return this.#budget;
+  }
+
+  set budget(milliseconds: number) {
+    if (milliseconds === this.#budget) return;
+    this.#budget = milliseconds;
+    this.#patience = PATIENCE;
+    this.#fast = 0;
+    this.#tried = false;
+    this.restart();
   }
 
   /** Index in FOREST_STEPS. */
@@ -100,7 +113,7 @@ export class BudgetMeter {
     const median = this.#frames.sort((a, b) => a - b)[frames >> 1] as number;
     this.#median = median;
     this.restart();
-    if (median > SLOW * this.budget) {
+    if (median > SLOW * this.#budget) {
       this.#fast = 0;
       if (this.#step >= FOREST_STEPS.length - 1) return;
       this.#step++;
@@ -111,8 +124,8 @@ export class BudgetMeter {
     }
     this.#shortest = Math.min(this.#shortest, median);
     // A screen of 60 Hz never shows less than a budget of 16.7 ms: there, all that it can give counts as fast.
-    const capped = median <= 1.02 * this.budget && median < 1.05 * this.#shortest;
-    this.#fast = median < FAST * this.budget || capped ? this.#fast + 1 : 0;
+    const capped = median <= 1.02 * this.#budget && median < 1.05 * this.#shortest;
+    this.#fast = median < FAST * this.#budget || capped ? this.#fast + 1 : 0;
     if (this.#fast >= this.#patience && this.#step > 0) {
       this.#step--;
       this.#fast = 0;

@@ -28,6 +28,10 @@ import type { Foliage } from './grove-parts.ts';
 /** How much larger than its clump a card is drawn: measured, so that as much is covered as by the leaves. */
 const GROWN = 1;
 
+/** Alpha above which a texel is drawn; twigs without leaves are thinner than a texel, and filtering takes much of theirs. */
+const CUT = 0.5;
+const CUT_BARE = 0.4;
+
 /** How wide a clump swings where its leaves flutter as widely as their stalks let them. */
 const SWING = 0.18;
 
@@ -40,6 +44,7 @@ export class CardLayer implements Foliage {
   #count = 0;
   #fitted = 0;
   #roughness = 0.75;
+  #cut = CUT;
 
   /** `layer`: of the pictures, that of the tree's species; `meanForce` of the wind, metres. */
   constructor(host: LeafHost, pictures: ClumpPictures, layer: number, meanForce: IUniform<number>) {
@@ -77,7 +82,11 @@ export class CardLayer implements Foliage {
     this.#uniforms.cardThin.value = thin;
     this.#uniforms.cardSize.value.y = Math.min(1, (wind.flutter * Math.PI) / 180) * SWING;
     this.#roughness = foliage.roughness;
-    if (this.#materials) this.#materials.standard.roughness = foliage.roughness;
+    this.#cut = foliage.cover > 0 ? CUT : CUT_BARE;
+    const set = this.#materials;
+    if (!set) return;
+    set.standard.roughness = foliage.roughness;
+    for (const material of [set.standard, set.depth, set.distance]) material.alphaTest = this.#cut;
   }
 
   setWind(beats: number): void {
@@ -126,7 +135,7 @@ export class CardLayer implements Foliage {
   #dressed(): MaterialSet {
     const { shared, shown } = this.#host;
     const defines = this.#host.viewDefines().filter((name) => name !== 'CHANNEL_VIEW');
-    const cut = { side: DoubleSide, alphaTest: 0.5 } as const;
+    const cut = { side: DoubleSide, alphaTest: this.#cut } as const;
     const set: MaterialSet = {
       standard: new MeshStandardMaterial({ ...cut, metalness: 0, roughness: this.#roughness }),
       depth: new MeshDepthMaterial(cut),

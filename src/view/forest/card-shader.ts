@@ -36,7 +36,7 @@ out float vCardLaid;`,
       instead: `vec3 objectNormal = here.facing[2];
 vCardLaid = cardThin * crownLaid(here.force, cardMeanForce);
 vCardFacing = mat3(modelViewMatrix) * here.facing;
-vCardCrown = vec4(normalize(mat3(modelViewMatrix) * crownNormal(here.position)), crownSky(here.position));`,
+vCardCrown = vec4(normalize(mat3(modelViewMatrix) * crownNormal(here.position)), crownSky(mix(here.centre, here.position, 0.8)));`,
     },
     SHADOW_TOWARDS_SUN,
   ],
@@ -61,7 +61,9 @@ vCardCrown = vec4(normalize(mat3(modelViewMatrix) * crownNormal(here.position)),
     {
       anchor: '#include <aomap_fragment>',
       after: `reflectedLight.indirectDiffuse *= vCardCrown.w;
-reflectedLight.indirectSpecular *= 0.3 * vCardCrown.w;`,
+reflectedLight.indirectSpecular *= 0.3 * vCardCrown.w;
+// The normal of a picture's texel is the mean of many leaves', and too smooth: what it would mirror is kept low.
+reflectedLight.directSpecular *= 0.25;`,
     },
   ],
 };

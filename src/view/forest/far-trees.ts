@@ -5,27 +5,17 @@ import { isAborted } from '../../worker/grove-client.ts';
 import type { ForceField } from '../force-field.ts';
 import { ClumpPictures } from './card-bake.ts';
 import { variantSeed } from './forest-plan.ts';
-import { type ForestSetup, variantOf } from './forest-setup.ts';
+import type { ForestSetup } from './forest-setup.ts';
 import type { ShadeTree } from './ground-shade.ts';
 import { type AtlasOptions, ImpostorAtlas } from './impostor-atlas.ts';
 import { ImpostorBaker } from './impostor-bake.ts';
 import { Impostors } from './impostors.ts';
+import { bequeath, handOut, type Shape, sameShapes, shapeFailed, shapesOf } from './tree-shapes.ts';
 
 /** Seconds in which trees come whose pictures have just been taken. */
 const FADE = 0.5;
 /** Shapes that are asked of the worker ahead of the one whose pictures are taken. */
 const AHEAD = 2;
-
-/** A shape of a species: a layer of the atlas. */
-interface Shape {
-  readonly species: number;
-  readonly variant: number;
-  readonly layer: number;
-  /** Ranks of the trees that have it. */
-  readonly ranks: number[];
-  state: 'waiting' | 'growing' | 'baking' | 'there' | 'broken';
-  come: number;
-}
 
 /** All trees of a forest as pictures of themselves: grown, photographed and shown before anything else, and there for good. */
 export class FarTrees {
@@ -45,7 +35,9 @@ export class FarTrees {
   #baker: ImpostorBaker | null = null;
   #impostors: Impostors | null = null;
   #clumps: ClumpPictures | null = null;
-  #shapes: Shape[] = [];
+  #shapes: readonly Shape[] = [];
+  /** Species whose clumps are asked for. */
+  readonly #clumped = new Set<number>();
   #tickets = new Set<GroveTicket>();
   /** Of each tree: part that has come, and part that a finer class has. */
   #own = new Float32Array(0);
@@ -66,35 +58,34 @@ export class FarTrees {
     this.#failed = failed;
   }
 
+  /** Takes another forest. One of the same shapes, however many trees have them and wherever those stand, shows what is there already. */
   setForest(setup: ForestSetup | null): void {
+    if (setup && setup.places.count > 0 && this.#setup && sameShapes(setup, this.#setup)) {
+      this.#replant(setup);
+      return;
+    }
     this.clear();
     this.#setup = setup;
     if (!setup || setup.places.count === 0) return;
     const { places, variants } = setup;
-    const first: number[] = [];
-    let layers = 0;
-    for (const count of variants) {
-      first.push(layers);
-      layers += count;
-    }
-    // One shape of every species first, so that the whole forest stands soon.
-    const shapes: Shape[] = variants.flatMap((count, species) =>
-      Array.from({ length: count }, (_, variant): Shape => {
-        return { species, variant, layer: (first[species] as number) + variant, ranks: [], state: 'waiting', come: 0 };
-      }),
-    );
-    const byLayer = [...shapes];
-    this.#shapes = shapes.sort((a, b) => a.variant - b.variant || a.species - b.species);
-    for (let i = 0; i < places.count; i++) {
-      const layer = (first[places.species[i] as number] as number) + variantOf(setup, i);
-      byLayer[layer]?.ranks.push(i);
-    }
+    this.#shapes = shapesOf(setup);
+    const layers = this.#shapes.length;
     this.#baker = new ImpostorBaker(new ImpostorAtlas({ ...this.#pictures, layers }));
     this.#clumps = new ClumpPictures(variants.length);
     this.#own = new Float32Array(places.count);
     this.#nearer = new Float32Array(places.count);
     this.#impostors = new Impostors(this.#baker.atlas, this.#field, this.fade, this.meanForce);
     this.#parent.add(this.#impostors);
+    this.#place();
+  }
+
+  /** Sets other trees out in the shapes that there are. */
+  #replant(setup: ForestSetup): void {
+    this.#setup = setup;
+    handOut(this.#shapes, setup);
+    this.#own = new Float32Array(setup.places.count);
+    this.#nearer = new Float32Array(setup.places.count);
+    for (const { ranks, come } of this.#shapes) for (const i of ranks) this.#own[i] = come;
     this.#place();
   }
 
@@ -201,6 +192,7 @@ export class FarTrees {
     this.#clumps?.dispose();
     this.#clumps = null;
     this.#shapes = [];
+    this.#clumped.clear();
     this.#setup = null;
   }
 
@@ -223,12 +215,18 @@ export class FarTrees {
         if (!this.#tickets.delete(ticket)) return;
         shape.state = 'baking';
         this.#baker?.bake(shape.layer, packed, species);
-        if (shape.variant === 0) this.#clumps?.bake(shape.species, packed, species);
+        if (this.#clumped.has(shape.species)) return;
+        this.#clumped.add(shape.species);
+        this.#clumps?.bake(shape.species, packed, species);
       },
       (error: unknown) => {
         if (!this.#tickets.delete(ticket) || isAborted(error)) return;
-        shape.state = 'broken';
+        if (!shapeFailed(shape)) return;
         this.#failed(error);
+        const heir = bequeath(this.#shapes, shape);
+        if (!heir) return;
+        for (const i of heir.ranks) this.#own[i] = heir.come;
+        this.#place();
       },
     );
   }

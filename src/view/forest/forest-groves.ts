@@ -10,6 +10,7 @@ import { type ForestSetup, variantOf } from './forest-setup.ts';
 import { Grove, type GroveOptions } from './grove.ts';
 import { GroveUnit, type Part } from './grove-unit.ts';
 import { Stream, type Wish } from './stream.ts';
+import { TRIES } from './tree-shapes.ts';
 import type { CellView } from './view-cells.ts';
 
 /** What a frame asks of the groves. */
@@ -160,7 +161,7 @@ export class ForestGroves {
       const threshold = form === 'full' ? thresholds.near : thresholds.middle;
       unit.pixels = (cell.tallest * view.scale) / Math.max(1, distanceToCell(cell, side, x, y, z));
       const ready = !parent || parent.come >= 1;
-      unit.wanted = !unit.broken && ready && isWanted(unit.pixels, threshold, unit.wanted);
+      unit.wanted = unit.failures < TRIES && ready && isWanted(unit.pixels, threshold, unit.wanted);
       if (unit.wanted || unit.state === 'there') unit.inView = view.sees(cell, side, 0);
     }
   }
@@ -239,14 +240,18 @@ export class ForestGroves {
           this.#arrived.push({ unit, part });
         },
         (error: unknown) => {
-          if (isAborted(error) || !unit.parts.includes(part)) return;
-          unit.broken = true;
-          this.#stream.failed(unit.key);
-          this.#drop(unit);
-          this.#failed(error);
+          if (!isAborted(error) && unit.parts.includes(part)) this.#giveUp(unit, error);
         },
       );
     }
+  }
+
+  /** Growing a unit came to nothing: it is tried again, and told of where that was in vain, too. */
+  #giveUp(unit: GroveUnit, error: unknown): void {
+    unit.failures++;
+    this.#stream.failed(unit.key);
+    this.#drop(unit);
+    if (unit.failures >= TRIES) this.#failed(error);
   }
 
   /** Makes groves of what has come, as many as the frame has time for. */
@@ -256,25 +261,33 @@ export class ForestGroves {
     for (let i = 0; i < UPLOADS && this.#arrived.length > 0; i++) {
       if (i > 0 && performance.now() - began > SLICE) return;
       const { unit, part } = this.#arrived.shift() as { unit: GroveUnit; part: Part };
-      const species = setup.mix[part.species];
-      const options = this.#options(unit.form, part.species);
-      if (!part.grown || !species || !options) continue;
-      const grove = new Grove(options);
-      grove.position.set(unit.cell.x, unit.cell.low, -unit.cell.y);
-      grove.setWind(frame.wind);
-      grove.setGrove(part.grown.packed, species, part.grown.light);
-      for (let k = 0; k < part.ranks.length; k++) grove.share(k, 0, 0);
-      part.grown = null;
-      part.grove = grove;
-      grove.visible = false;
-      this.#parent.add(grove);
-      this.#pose(grove, frame);
-      this.#perTree[unit.form].set(part.species, grove.stats().bytes / part.ranks.length);
-      if (unit.parts.every((each) => each.grove)) {
-        unit.state = 'there';
-        this.#stream.arrived(unit.key, unit.bytes);
+      try {
+        this.#make(unit, part, frame, setup);
+      } catch (error) {
+        this.#giveUp(unit, error);
       }
     }
+  }
+
+  /** Makes the grove of a part that has been grown. */
+  #make(unit: GroveUnit, part: Part, frame: GroveFrame, setup: ForestSetup): void {
+    const species = setup.mix[part.species];
+    const options = this.#options(unit.form, part.species);
+    if (!part.grown || !species || !options) return;
+    const grove = new Grove(options);
+    part.grove = grove;
+    grove.position.set(unit.cell.x, unit.cell.low, -unit.cell.y);
+    grove.setWind(frame.wind);
+    grove.setGrove(part.grown.packed, species, part.grown.light);
+    for (let k = 0; k < part.ranks.length; k++) grove.share(k, 0, 0);
+    part.grown = null;
+    grove.visible = false;
+    this.#parent.add(grove);
+    this.#pose(grove, frame);
+    this.#perTree[unit.form].set(part.species, grove.stats().bytes / part.ranks.length);
+    if (!unit.parts.every((each) => each.grove)) return;
+    unit.state = 'there';
+    this.#stream.arrived(unit.key, unit.bytes);
   }
 
   /** Lets what is there come, and tells the coarser classes of it. */

@@ -1,5 +1,5 @@
 import type { ForestDocument, TreePlaces } from '../../core/forest/forest.ts';
-import type { HeightField } from '../../core/forest/height-field.ts';
+import { checkField, type HeightField } from '../../core/forest/height-field.ts';
 import { inSeason } from '../../core/species/season.ts';
 import type { Species } from '../../core/species/species.ts';
 import { type CellGrid, cellGrid, MIDDLE_CELL, NEAR_CELL } from './cells.ts';
@@ -27,7 +27,7 @@ export const variantOf = ({ places, variants }: ForestSetup, tree: number): numb
 
 /**
  * Plans a forest: a tree that is not grown yet counts as tall as its species
- * says. Throws Error naming the species of the mix that is not in `species`.
+ * says. Throws Error naming the species of the mix that is not in `species`, RangeError where the ground or the memory is no number.
  */
 export function setUpForest(
   document: ForestDocument,
@@ -37,6 +37,8 @@ export function setUpForest(
   memoryBudget: number,
   mostVariants?: number,
 ): ForestSetup {
+  checkField(field);
+  if (!(memoryBudget >= 0)) throw new RangeError(`A memory budget of ${memoryBudget}: bytes, 0 or more.`);
   const mix = document.mix.map(({ species: id }) => {
     const found = species.get(id);
     if (!found) throw new Error(`The forest has trees of '${id}', which is no species that was given.`);

@@ -1,6 +1,7 @@
 import { FogExp2, type PerspectiveCamera, type Scene, Vector3, type WebGLRenderer } from 'three';
 import { type HeightField, heightAt, levelField } from '../../core/forest/height-field.ts';
 import type { StageId } from '../../core/link/document.ts';
+import type { Season } from '../../core/species/season.ts';
 import type { WindSource } from '../../gpu/wind-source.ts';
 import type { Meadow } from '../meadow.ts';
 import { Stage, type StageOptions } from '../stage.ts';
@@ -10,6 +11,7 @@ import { FOREST_STEPS, type ForestStep } from './budget.ts';
 import { forestMeadow } from './forest-meadow.ts';
 import { GroundShade, type ShadeTree } from './ground-shade.ts';
 import { AIRY, hazeColour, hazeDensity } from './haze.ts';
+import { groundInSeason } from './season-ground.ts';
 import { Terrain } from './terrain.ts';
 import { followViewer } from './viewer-sun.ts';
 
@@ -29,6 +31,7 @@ export class ForestStage {
   #trees: readonly ShadeTree[] = [];
   #shadeStale = true;
   #place: { readonly stage: StageId; readonly hour: number | null } = { stage: 'meadow', hour: null };
+  #season: Season = 'summer';
   #dark = false;
   #look: StageLook = lookAt('meadow', null, false);
   #step: ForestStep = FOREST_STEPS[0] as ForestStep;
@@ -48,6 +51,8 @@ export class ForestStage {
     scene.add(this.terrain, this.meadow);
     scene.fog = this.#fog;
     sun.shadow.autoUpdate = true;
+    // Sky and ground take their colours from the same look as the haze.
+    this.stage.shot = { look: (look) => groundInSeason(look, this.#season), aim: () => () => {} };
     this.setField(this.#field);
   }
 
@@ -92,9 +97,10 @@ export class ForestStage {
     if (litter) this.terrain.setLitter(...litter);
   }
 
-  /** `hour` of the day by the sun, 0..24, null: the stage's own. */
-  setScene(stage: StageId, hour: number | null): void {
+  /** `hour` of the day by the sun, 0..24, null: the stage's own; `season` of the ground. */
+  setScene(stage: StageId, hour: number | null, season: Season = 'summer'): void {
     this.#place = { stage, hour };
+    this.#season = season;
     this.#relight();
   }
 
@@ -174,7 +180,7 @@ export class ForestStage {
     const { stage, hour } = this.#place;
     this.stage.setDark(this.#dark);
     this.stage.setScene(stage, hour);
-    this.#look = lookAt(stage, hour, this.#dark);
+    this.#look = groundInSeason(lookAt(stage, hour, this.#dark), this.#season);
     // Ground and sky meet in the same colour, and the trees' fog has it too.
     this.stage.sky.uniforms.skyField.value.w *= AIRY;
     this.terrain.setLook(this.#look);

@@ -1,4 +1,4 @@
-import { type Camera, type Object3D as Group, Object3D, Vector2, type WebGLRenderer } from 'three';
+import { type Camera, type Object3D as Group, Matrix4, Object3D, Vector2, type WebGLRenderer } from 'three';
 import { forestDensity } from '../../core/forest/density.ts';
 import type { ForestDocument, TreePlaces } from '../../core/forest/forest.ts';
 import { windSpeedOf } from '../../core/forest/forest-wind.ts';
@@ -88,6 +88,8 @@ export class Forest extends Object3D {
   readonly #far: FarTrees;
   readonly #groves: ForestGroves;
   readonly #size = new Vector2();
+  /** The camera's world matrix in the last frame. */
+  readonly #seen = new Matrix4();
   #setup: ForestSetup | null = null;
   #wind: Wind = STILL;
   #thresholds: Thresholds = THRESHOLDS;
@@ -120,7 +122,7 @@ export class Forest extends Object3D {
 
   /**
    * Takes a forest; the old one goes. `places`: where its trees stand, by default as `scatter` has them without a map of density.
-   * Throws Error where a species of the mix is not in `species`.
+   * Throws Error where a species of the mix is not in `species`, RangeError where `field` is no ground; the old forest then stays.
    */
   setForest(
     document: ForestDocument,
@@ -189,9 +191,10 @@ export class Forest extends Object3D {
   update(renderer: WebGLRenderer, camera: Camera, time: number, now: number): void {
     if (!this.#setup) return;
     const passed = Number.isNaN(this.#last) ? 0 : Math.max(0, now - this.#last);
-    // While everything stands still the step stays.
-    if (time !== this.#time) this.#meter.frame(passed);
+    // While everything stands still the step stays; who flies past a still forest waits for its frames, too.
+    if (time !== this.#time || !this.#seen.equals(camera.matrixWorld)) this.#meter.frame(passed);
     else this.#meter.restart();
+    this.#seen.copy(camera.matrixWorld);
     this.#last = now;
     this.#time = time;
     this.updateWorldMatrix(true, false);

@@ -28,8 +28,8 @@ export class GroveUnit {
   pixels = 0;
   /** Part of it that has faded in, 0..1. */
   come = 0;
-  /** It cannot be grown: it is not asked for again. */
-  broken = false;
+  /** How often growing it came to nothing; after TRIES it is not asked for again, and its trees stay in the coarser class. */
+  failures = 0;
   parts: Part[] = [];
 
   constructor(form: GroveForm, cell: Cell, parent: GroveUnit | null) {

@@ -21,7 +21,7 @@ export function airColour({ horizon, glow, glowDirection, field }: StageLook, x:
 }
 
 /** Density of the haze of a forest, 1 / metre: its far side stands back, and what lies beyond it goes. `mist`: as the stage has it, 0..1. */
-export const hazeDensity = (size: number, mist: number): number => (0.5 + 0.5 * mist) / Math.max(250, size);
+export const hazeDensity = (size: number, mist: number): number => (0.75 + 0.95 * mist) / Math.max(250, size);
 
 /** Writes the haze as a camera sees it in the middle of its view: three's fog has one colour. */
 export function hazeColour(look: StageLook, camera: Camera, out: Color): void {

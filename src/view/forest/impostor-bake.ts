@@ -100,8 +100,9 @@ function factsOf(tree: PackedTree, species: Species, box: BakeBox, fill: number)
     give: crownGive(tree, height),
     density: crownDensity(tree, species),
     crown,
-    leafLow: species.foliage.cover > 0 && feet.length > 0 ? (feet[Math.floor(feet.length * 0.03)] as number) : 1e6,
-    through: [r, g, b],
+    // Bare twigs are as many and as unlike as leaves; but no light comes through them.
+    leafLow: feet.length > 0 ? (feet[Math.floor(feet.length * 0.03)] as number) : 1e6,
+    through: species.foliage.cover > 0 ? [r, g, b] : [0, 0, 0],
     roughness: species.foliage.roughness,
     thin: species.foliage.cover > 0 ? thin : 0,
   };

@@ -4,6 +4,7 @@ import light from '../../../shaders/forest/impostor-light.glsl';
 import read from '../../../shaders/forest/impostor-read.glsl';
 import vertex from '../../../shaders/forest/impostor-vertex.glsl';
 import type { Injection, Patch } from '../inject.ts';
+import { MIRRORS_NOTHING, oneLook } from '../lean-light.ts';
 
 const shape: readonly Patch[] = [
   { anchor: '#include <common>', after: vertex },
@@ -27,8 +28,7 @@ export const IMPOSTOR_STANDARD: Injection = {
 out float vLaid;
 flat out vec3 vToEye;
 flat out mat3 vTreeView;
-flat out vec4 vCrown;
-flat out vec4 vCrownRadii;
+flat out vec4 vHalf;
 flat out vec4 vThrough;`,
     },
     {
@@ -37,26 +37,29 @@ flat out vec4 vThrough;`,
 vCorner = here.corner;
 vToEye = here.eye;
 vTreeView = mat3(modelViewMatrix) * mat3(here.turn.x, here.turn.y, 0.0, -here.turn.y, here.turn.x, 0.0, 0.0, 0.0, 1.0);
-vCrown = farFact(here.layer, 2);
-vCrown -= vec4(farFact(here.layer, 0).xyz, farFact(here.layer, 0).z);
-vCrownRadii = vec4(farFact(here.layer, 3).xyz, farFact(here.layer, 1).w);
+vec4 farMiddle = farFact(here.layer, 0);
+vec4 farSize = farFact(here.layer, 1);
+vHalf = vec4(farMiddle.w, farSize.x, farFact(here.layer, 2).w - farMiddle.z, farSize.w);
 vThrough = farFact(here.layer, 4);
 vLaid = here.laid * vThrough.w;`,
     },
     {
-      // The quad that the light sees stands through the middle of the tree: a tree would shade its own far side, which its density does
+      // The quad that the light sees stands through the middle of the tree: a tree would shade its own far side, which its own picture does
       // already. Its shadow is looked up before it, where only others' fall.
       anchor: '#include <shadowmap_vertex>',
       before: `#if defined(USE_SHADOWMAP) && NUM_DIR_LIGHT_SHADOWS > 0
   mat4 toShadow = directionalShadowMatrix[0];
   vec3 toLight = -normalize(vec3(toShadow[0].z, toShadow[1].z, toShadow[2].z));
-  worldPosition.xyz += toLight * (1.1 * farPlace.w * max(vCrownRadii.x, max(vCrownRadii.y, vCrownRadii.z)));
+  vec3 farRadii = farFact(here.layer, 3).xyz;
+  worldPosition.xyz += toLight * (1.1 * farPlace.w * max(farRadii.x, max(farRadii.y, farRadii.z)));
 #endif`,
     },
   ],
   fragment: [
     { anchor: '#include <common>', after: `${fragment}\nflat in vec2 vShare;\n${dither}` },
     { anchor: '#include <lights_physical_pars_fragment>', after: light },
+    MIRRORS_NOTHING,
+    oneLook('1'),
     { anchor: '#include <clipping_planes_fragment>', after: fade },
     {
       anchor: '#include <map_fragment>',

@@ -144,6 +144,10 @@ describe('the frame budget', () => {
       look(meter, 50);
     }
     expect(waits).toEqual([4, 8, 16]);
+    // Another budget is a new wish.
+    meter.budget = 60;
+    look(meter, 10, 4);
+    expect(meter.step).toBe(0);
   });
 
   test('a screen of 60 Hz gets its fineness back under a budget of one of its frames', () => {
