@@ -7,6 +7,7 @@ import { inSeason, type Season } from '../src/core/species/season.ts';
 import { STILL } from '../src/core/wind/wind.ts';
 import { CaptureStage, type Viewpoint } from '../src/view/picture/capture-stage.ts';
 import { type GrownTree, growTree } from '../src/view/picture/grow-tree.ts';
+import { WindTree } from '../src/view/wind-tree.ts';
 import { type Point, sprayOf } from './spray-place.ts';
 
 /** `whole`: as the editor frames it; `close`: as close as the tree allows; `far`: 60 pixels high; the others show parts of it. */
@@ -85,7 +86,7 @@ async function picture(job: SpeciesJob, most = Number.POSITIVE_INFINITY): Promis
   const tree = trees.get(key) ?? (await growTree(species, job.seed));
   if (trees.size > 3) trees.clear();
   trees.set(key, tree);
-  stage ??= new CaptureStage('stage');
+  stage ??= new CaptureStage('stage', new WindTree());
   const show = { levelsShown: 9, showLeaves: job.leaves, view: 'shaded' } as const;
   stage.take({
     packed: tree.packed,

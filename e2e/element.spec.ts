@@ -116,19 +116,25 @@ test('shows a tree from poster to picture, is turned by keys, held still, surviv
     tree.seed = 7;
     await next(tree, 'load');
     const state = tree.getState();
+    const forgotten = add({ species: 'apple', loading: 'eager' });
+    await next(forgotten, 'progress');
+    const left = next(forgotten, 'statechange') as Promise<{ state: string }>;
+    forgotten.removeAttribute('species');
+    const forgot = (await left).state;
+    forgotten.remove();
     const twin = add({ loading: 'eager' });
     twin.setState(JSON.parse(JSON.stringify(state)));
     await next(twin, 'load');
     const same = JSON.stringify(twin.getState()) === JSON.stringify(state);
     twin.remove();
-    return { message, kept, seeds, loaded, users: renderer.users - users, same, state };
+    return { message, kept, seeds, loaded, forgot, users: renderer.users - users, same, state };
   });
   expect(told.message).toMatchObject({
     type: 'attribute',
     message: expect.stringMatching(/wind-speed="6 mph".*"6m\/s"/),
   });
   expect(told.kept).toEqual([5.556, '5.55555556m/s']);
-  expect(told).toMatchObject({ seeds: [5, 7], loaded: false, users: 0, same: true });
+  expect(told).toMatchObject({ seeds: [5, 7], loaded: false, forgot: 'idle', users: 0, same: true });
   expect(told.state).toMatchObject({ seed: 7, paused: true, camera: { distance: expect.any(Number) } });
 
   // Far from the window its memory on the GPU is given back, and comes again with the next picture.

@@ -53,6 +53,15 @@ test('a lesson works with keyboard and mouse, keeps a figure in its address, and
   await expect(typed).toHaveValue('40');
   await expect(figure.getByRole('img')).toHaveAccessibleName(/turns by 40 degrees/);
 
+  // A handle that goes round: along its own arrow there is no way to go.
+  const attraction = page.locator('figure[data-figure="attraction"]');
+  await attraction.scrollIntoViewIfNeeded();
+  await attraction.getByRole('button', { name: /^Direction in which the stem begins/ }).press('ArrowLeft');
+  const start = attraction.getByRole('spinbutton', { name: 'Begins at, typed', exact: true });
+  await expect(start).toHaveValue('91');
+  await attraction.getByRole('button', { name: 'Reset', exact: true }).click();
+  await expect(start).toHaveValue('90');
+
   await page.addScriptTag({ path: axe });
   expect(await complaints(page)).toEqual([]);
   await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });

@@ -3,6 +3,7 @@ import { DEFAULT_WAVE, STILL, type Wind } from '../../src/core/wind/wind.ts';
 import { CaptureStage } from '../../src/view/picture/capture-stage.ts';
 import { LivePicture } from '../../src/view/picture/live-picture.ts';
 import type { Overlays } from '../../src/view/picture/picture.ts';
+import { WindTree } from '../../src/view/wind-tree.ts';
 import { grown, small } from './grown.ts';
 
 // The editor's picture by itself, for e2e/view.spec.ts: what it shows beside the tree, and what hands do to it.
@@ -233,7 +234,7 @@ const scene = {
     const alpha = (x: number, y: number): number => alone[4 * (480 * y + x) + 3] as number;
     let covered = 0;
     for (let i = 3; i < alone.length; i += 4) covered += (alone[i] as number) > 127 ? 1 : 0;
-    const tiles = new CaptureStage('stage', 150);
+    const tiles = new CaptureStage('stage', new WindTree(), 150);
     const canvas = Object.assign(document.createElement('canvas'), size);
     const show = { levelsShown: Number.POSITIVE_INFINITY, showLeaves: true, view: 'shaded' } as const;
     tiles.take({ packed, stems, species, wind: wind(0.15), show, dark: false, channel: null });

@@ -31,6 +31,7 @@ export function galleryActions(
         seed: seedOf(entry),
         season,
         probe: null,
+        compare: null,
         camera: null,
       };
       const address = services.addressOf({ ...services.now(), ...tree });

@@ -1,3 +1,4 @@
+import { viewerLacks } from '../core/link/viewer-parts.ts';
 import { LONGEST_PROJECT, PROJECT_ENDING } from '../core/project/limits.ts';
 import type { Species } from '../core/species/species.ts';
 import type { DiskFile, Doing } from './doing.ts';
@@ -117,11 +118,13 @@ export function projectActions(doing: Doing, readers: Readers) {
     async copyEmbed(): Promise<void> {
       const now = services.now();
       const snippet = embedSnippet(services.addressOf(now), fileWords.embedTitle(treeName()));
+      const lacks = viewerLacks(now);
+      const lines = [...(lacks.length > 0 ? [fileWords.embedLacks(lacks)] : []), ...services.notInLink(now)];
       try {
         await services.copy(snippet);
-        notify('note', fileWords.embedCopied);
+        notify('note', fileWords.embedCopied, lines);
       } catch {
-        notify('note', fileWords.embedShown, [snippet]);
+        notify('note', fileWords.embedShown, [...lines, snippet]);
       }
     },
   };

@@ -27,6 +27,8 @@ export interface Services {
   first(): LinkDocument;
   /** The whole address that shows a document. */
   addressOf(document: LinkDocument): string;
+  /** What a link cannot hold of a document, a sentence each. */
+  notInLink(document: LinkDocument): string[];
   /** Reads a link as the address has it. */
   read(link: string): { readonly document: LinkDocument; readonly faults: readonly LinkFault[] };
   /** Shows a document whole, its time and camera too, as one step. */

@@ -18,7 +18,7 @@ export function pageServices(
 ): Services {
   const { address, now, first, read, show, thumbnail, cancelGrowing } = page;
   const copy = (text: string): Promise<void> => navigator.clipboard.writeText(text);
-  const leftOut = (document: LinkDocument): string[] =>
+  const notInLink = (document: LinkDocument): string[] =>
     [document.wind.record, document.compare?.wind.record]
       .filter((r) => r && !page.ships(r.name))
       .map((r) => fileWords.notInLink(r!.name));
@@ -33,12 +33,13 @@ export function pageServices(
     copy,
     when: Date.now,
     addressOf: (document) => address.of(document),
+    notInLink,
     save: download,
     async share() {
       const document = now();
       address.write(document);
       address.flush();
-      const lines = leftOut(document);
+      const lines = notInLink(document);
       try {
         await copy(location.href);
         page.notify('note', fileWords.linkCopied, lines);

@@ -1,5 +1,8 @@
-import type { PropertyDeclaration } from 'lit';
+import type { PropertyDeclaration } from '@lit/reactive-element';
 import { ATTRIBUTES, type AttributeName, type AttributeRow } from './attributes.ts';
+
+/** Of all that attributes hold only the camera's orbit is an object: another one of the same numbers is no change. */
+const isOrbit = (value: unknown): boolean => typeof value === 'object' && value !== null && 'polar' in value;
 
 /**
  * How Lit reads and writes an attribute of the table. A text that is none goes on as it stands: the element finds it, says so, and puts
@@ -15,6 +18,6 @@ export function attributeProperty(name: AttributeName): PropertyDeclaration {
       fromAttribute: (text) => (text === null ? usual : (rule.read(text) ?? text)),
       toAttribute: (value) => (value === null || value === usual ? null : rule.write(value)),
     },
-    hasChanged: (value, old) => value !== old && JSON.stringify(value) !== JSON.stringify(old),
+    hasChanged: (value, old) => value !== old && !(isOrbit(value) && JSON.stringify(value) === JSON.stringify(old)),
   };
 }

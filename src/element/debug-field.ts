@@ -1,13 +1,13 @@
+import type { BareStage } from '../view/bare-stage.ts';
 import { Arrows } from '../view/overlay/arrows.ts';
 import { overlayUniforms, setOverlayColours } from '../view/overlay/overlay-material.ts';
-import type { Stage } from '../view/stage.ts';
 
 /** Arrows of the wind's force over the ground, on the stage that the elements share. */
 export class DebugField {
   readonly #uniforms = overlayUniforms();
   readonly #arrows: Arrows;
 
-  constructor(stage: Stage) {
+  constructor(stage: BareStage) {
     this.#arrows = new Arrows(this.#uniforms, stage.field);
     this.#arrows.rotation.x = -Math.PI / 2; // z up to y up
     this.#arrows.visible = false;

@@ -1,4 +1,4 @@
-import { css } from 'lit';
+import { css } from '@lit/reactive-element';
 
 /** The element's own look. System colours follow the page's `color-scheme`, so that both themes need no second set. */
 export const elementStyles = css`
@@ -138,8 +138,9 @@ export const elementStyles = css`
     clip-path: inset(50%);
     white-space: nowrap;
   }
+  /* Whatever a page gives its parts: it is not there. */
   [hidden] {
-    display: none;
+    display: none !important;
   }
   @media (pointer: coarse) {
     button {

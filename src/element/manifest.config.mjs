@@ -1,19 +1,16 @@
+import { readFileSync } from 'node:fs';
+
 /** The custom-elements manifest of `<wind-tree>`: `npm run manifest` writes it, tests/element/manifest.test.ts holds it against the code. */
 
-/** The attribute that `@property(attributeProperty('wind-speed'))` names, which the analyzer cannot read out of a call. */
-const NAMED = /^property\(\s*attributeProperty\(\s*'([\w-]+)'/;
-
-const named = new Map();
+/** The attributes by their properties, as the table (attributes.ts) has them; the analyzer cannot read a table. */
+const named = new Map(
+  [...readFileSync('src/element/attributes.ts', 'utf8').matchAll(/^ {2}'?([\w-]+)'?: row\('(\w+)'/gm)].map(
+    ([, attribute, property]) => [property, attribute],
+  ),
+);
 
 const attributeNames = {
   name: 'attribute names',
-  analyzePhase({ ts, node }) {
-    if (!ts.isPropertyDeclaration(node) && !ts.isAccessor(node)) return;
-    for (const decorator of ts.getDecorators(node) ?? []) {
-      const [, attribute] = NAMED.exec(decorator.expression.getText()) ?? [];
-      if (attribute) named.set(node.name.getText(), attribute);
-    }
-  },
   packageLinkPhase({ customElementsManifest }) {
     const all = customElementsManifest.modules.flatMap(({ declarations }) => declarations ?? []);
     const element = all.find(({ tagName }) => tagName === 'wind-tree');
@@ -37,7 +34,7 @@ const attributeNames = {
     element.attributes = [...attributes.values()].sort((a, b) => a.name.localeCompare(b.name));
     // Events are what the element's comment tells of; the analyzer also finds the helper that sends them.
     element.events = element.events.filter(({ description }) => description);
-    element.superclass = { name: 'LitElement', package: 'lit' };
+    element.superclass = { name: 'ReactiveElement', package: '@lit/reactive-element' };
     // What it is made of is nobody's business: one module, one element.
     customElementsManifest.modules = customElementsManifest.modules
       .filter(({ path }) => /(wind-tree-element|define)\.ts$/.test(path))

@@ -1,9 +1,9 @@
 import type { CameraPose } from '../core/link/document.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
+import { BareStage } from '../view/bare-stage.ts';
 import { type Capabilities, capabilitiesOf } from '../view/cpu-kit.ts';
 import type { KitTree } from '../view/kit-tree.ts';
 import { placeOf, poseOf } from '../view/picture/camera-pose.ts';
-import { AZIMUTH, Stage } from '../view/stage.ts';
 import { uprightBox } from '../view/tree-extent.ts';
 import { type ElementDebug, type ElementEnvironment, type ElementGround, STAGE_OF } from './attributes.ts';
 import type { DebugField } from './debug-field.ts';
@@ -63,9 +63,9 @@ const IDLE = 4000;
  * memory of one. A picture is drawn and handed over in one go, so that the next may have the stage.
  */
 export class SharedRenderer {
-  #stage: Stage | null = null;
+  #stage: BareStage | null = null;
   /** What makes arrows of the wind, once somebody wanted to see them. */
-  #newField: ((stage: Stage) => DebugField) | null = null;
+  #newField: ((stage: BareStage) => DebugField) | null = null;
   #field: DebugField | null = null;
   #state: DebugState | null = null;
   readonly #users = new Set<RendererUser>();
@@ -150,9 +150,9 @@ export class SharedRenderer {
 
   /** The camera that shows the whole of a tree in a picture of this size. */
   wholeView(bounds: Float32Array, width: number, height: number): CameraPose {
-    const stage = this.#stage as Stage;
+    const stage = this.#stage as BareStage;
     this.#resize(width, height, 1);
-    const { position, target } = stage.frame(uprightBox(bounds), { azimuth: AZIMUTH });
+    const { position, target } = stage.whole(uprightBox(bounds));
     return poseOf(position, target);
   }
 
@@ -160,15 +160,13 @@ export class SharedRenderer {
   draw(shot: Shot, canvas: HTMLCanvasElement): Drawn | null {
     const stage = this.#stage;
     if (!stage || this.lost) return null;
-    const { renderer, camera, controls, scene } = stage;
+    const { renderer, camera, target, scene } = stage;
     const { tree, packed, time } = shot;
     const { bounds } = packed;
     this.#resize(shot.width, shot.height, shot.pixelRatio);
     this.#dress(shot);
     stage.setSubject(uprightBox(bounds));
-    controls.minDistance = 0;
-    controls.maxDistance = Number.POSITIVE_INFINITY;
-    placeOf(shot.camera, camera.position, controls.target);
+    placeOf(shot.camera, camera.position, target);
     scene.add(tree);
     tree.startsNear = shot.near;
     if (!shot.near) tree.settle();
@@ -182,7 +180,7 @@ export class SharedRenderer {
     stage.render(shadows);
     if (shadows) this.#shadowsOf = tree;
     const { triangles, calls } = renderer.info.render;
-    const { elevation } = poseOf(camera.position, controls.target);
+    const { elevation } = poseOf(camera.position, target);
     this.#handOver(renderer.domElement, canvas);
     if (shot.debug === 'state') this.#state?.draw(renderer, tree, packed, time, canvas, shot.come);
     scene.remove(tree);
@@ -208,7 +206,7 @@ export class SharedRenderer {
   }
 
   #dress({ environment, hour, ground, shadow, dark, grass }: Shot): void {
-    const stage = this.#stage as Stage;
+    const stage = this.#stage as BareStage;
     const set = `${environment} ${hour} ${ground} ${shadow} ${dark} ${grass}`;
     if (set === this.#set) return;
     this.#set = set;
@@ -225,17 +223,14 @@ export class SharedRenderer {
     this.#shadowsOf = null;
   }
 
-  #fieldOf(stage: Stage): DebugField | null {
+  #fieldOf(stage: BareStage): DebugField | null {
     this.#field ??= this.#newField?.(stage) ?? null;
     return this.#field;
   }
 
-  #open(): Stage {
+  #open(): BareStage {
     const canvas = document.createElement('canvas');
-    const stage = new Stage(canvas, { alpha: true, shadows: SHADOWS });
-    // The elements have cameras of their own.
-    stage.controls.enableDamping = false;
-    stage.controls.enabled = false;
+    const stage = new BareStage(canvas, { alpha: true, shadows: SHADOWS });
     for (const [name, lost] of [
       ['webglcontextlost', true],
       ['webglcontextrestored', false],

@@ -1,4 +1,3 @@
-import { nearest } from '../core/file/nearest.ts';
 import type { Species } from '../core/species/species.ts';
 import type { Wind } from '../core/wind/wind.ts';
 
@@ -21,11 +20,13 @@ export const isShippedId = (name: string): boolean => ID.test(name);
 /** There is no species or wind of this id. */
 export class UnknownId extends Error {
   override readonly name = 'UnknownId';
+}
 
-  constructor(kind: 'species' | 'wind', id: string, known: readonly string[]) {
-    const near = nearest(id, known);
-    super(`No ${kind} "${id}" ships.${near ? ` Was "${near}" meant?` : ''}`);
-  }
+/** That error, with the id that was probably meant: found by what is loaded only then. */
+export async function unknownId(kind: 'species' | 'wind', id: string, known: readonly string[]): Promise<UnknownId> {
+  const { nearest } = await import('../core/file/nearest.ts');
+  const near = nearest(id, known);
+  return new UnknownId(`No ${kind} "${id}" ships.${near ? ` Was "${near}" meant?` : ''}`);
 }
 
 /** One folder of files and its list, each read when it is first asked for and kept. */
@@ -53,7 +54,7 @@ class Folder<Item> {
       if (signal?.aborted) throw signal.reason;
       // A misspelt id is the commonest reason: the list can tell, where it comes at all.
       if (this.ids.length === 0) await this.#list(signal).catch(() => undefined);
-      if (this.ids.length > 0 && !this.ids.includes(id)) throw new UnknownId(this.#kind, id, this.ids);
+      if (this.ids.length > 0 && !this.ids.includes(id)) throw await unknownId(this.#kind, id, this.ids);
       throw error;
     }
   }

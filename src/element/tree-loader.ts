@@ -56,9 +56,14 @@ export class TreeLoader {
     return this.#wind;
   }
 
-  /** Forgets what is on its way. */
-  stop(): void {
+  /** Forgets the tree that is on its way. */
+  cancel(): void {
     this.#loading?.abort();
+  }
+
+  /** Forgets all that is on its way. */
+  stop(): void {
+    this.cancel();
     this.#windLoading?.abort();
     this.#windReady = null;
   }

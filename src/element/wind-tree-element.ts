@@ -1,18 +1,18 @@
-import type { PropertyValues, TemplateResult } from 'lit';
-import { property } from 'lit/decorators.js';
+import type { PropertyDeclarations, PropertyValues } from '@lit/reactive-element';
 import type { ExportOptions } from '../core/io/export-options.ts';
 import { STILL, type Wind } from '../core/wind/wind.ts';
 import type { KitTree } from '../view/kit-tree.ts';
 import { attributeProperty } from './attribute-property.ts';
-import { ATTRIBUTES, attributeFault, readProperty } from './attributes.ts';
+import { attributeFault, readProperty } from './attributes.ts';
+import { putBackBad } from './bad-values.ts';
+import { changesOf } from './changes.ts';
 import { isDark, watchScheme } from './colour-scheme.ts';
 import type { Drawing } from './drawing.ts';
 import type { ErrorType, WindTreeEventDetails } from './element-events.ts';
-import { applyState, cameraOf, type ElementState, STATE_ATTRIBUTES, stateOf } from './element-state.ts';
+import { ElementShadow } from './element-shadow.ts';
+import { applyState, cameraOf, type ElementState, stateOf } from './element-state.ts';
 import { elementStyles } from './element-styles.ts';
-import { elementTemplate } from './element-template.ts';
 import { distanceToMiddle, type Nearness, watchNearness } from './near.ts';
-import { listenToOrbit } from './orbit-input.ts';
 import { fetchedFrom, type ShippedSource } from './shipped-source.ts';
 import { type Planted, TreeLoader } from './tree-loader.ts';
 import { lookOf } from './tree-look.ts';
@@ -26,23 +26,6 @@ export type { ElementState } from './element-state.ts';
 
 /** Seconds in which one wind goes over into the next. */
 const FADE = 1;
-
-/** What changes the tree, the wind, and how it is looked at. */
-const OF_TREE: readonly PropertyKey[] = ['species', 'src', 'seed', 'speciesData'];
-const OF_WIND: readonly PropertyKey[] = ['wind', 'windData'];
-const ON_WIND: readonly PropertyKey[] = ['windSpeed', 'windDirection', 'gust', 'model'];
-const OF_LOOK: readonly PropertyKey[] = [
-  'detail',
-  'environment',
-  'hour',
-  'ground',
-  'shadow',
-  'levels',
-  'leaves',
-  'season',
-  'maxPixelRatio',
-  'debug',
-];
 
 const AWAY: Nearness = { visible: false, near: false, far: false };
 
@@ -90,6 +73,8 @@ type Stage = WindTreeEventDetails['statechange']['state'];
 export class WindTreeElement extends WindTreeProperties {
   static override styles = elementStyles;
 
+  static override properties: PropertyDeclarations = { time: attributeProperty('time') };
+
   /** Where species and winds that are named come from, for all elements of the page; by default `species/` and `winds/` beside the document. */
   static shipped: ShippedSource = fetchedFrom('.');
 
@@ -97,6 +82,7 @@ export class WindTreeElement extends WindTreeProperties {
   readonly #size = new ResizeObserver(() => this.#player.resize(this.clientWidth, this.clientHeight));
   readonly #player: TreePlayer = this.#newPlayer();
   readonly #loader: TreeLoader = this.#newLoader();
+  #shadow: ElementShadow | null = null;
   #drawing: Drawing | null = null;
   #nearness = AWAY;
   #unwatch: (() => void)[] = [];
@@ -106,6 +92,7 @@ export class WindTreeElement extends WindTreeProperties {
   #wantsTree = true;
   #drawn = false;
   #poster = true;
+  #listens = false;
   #dismissed = false;
   #stage: Stage = 'idle';
   #message = '';
@@ -116,7 +103,6 @@ export class WindTreeElement extends WindTreeProperties {
   #asked = false;
 
   /** Time of the wind in seconds; setting it goes there. The attribute, `3s`, makes a still of it unless `autoplay` is there too. */
-  @property(attributeProperty('time'))
   get time(): number {
     return this.#player.clock.time;
   }
@@ -204,16 +190,9 @@ export class WindTreeElement extends WindTreeProperties {
   ): Promise<Blob> {
     const shown = this.#shown();
     const { takePicture } = await import('./element-files.ts');
-    const { clientWidth, clientHeight } = this;
-    return takePicture(shown, {
-      width: Math.max(1, clientWidth),
-      height: Math.max(1, clientHeight),
-      time: this.time,
-      ...options,
-      camera: this.#player.orbit.pose,
-      aspect: clientWidth / Math.max(1, clientHeight),
-      look: lookOf(this, isDark(this)),
-    });
+    const { clientWidth: width, clientHeight: height, time } = this;
+    const look = lookOf(this, isDark(this));
+    return takePicture(shown, options, { width, height, time, camera: this.#player.orbit.pose, look });
   }
 
   /** The tree as a GLB file, with the options of the export (`clip: true` writes the wind too). Rejects before there is a tree. */
@@ -265,62 +244,65 @@ export class WindTreeElement extends WindTreeProperties {
   }
 
   protected override willUpdate(changed: PropertyValues): void {
-    for (const name of STATE_ATTRIBUTES) {
-      const { property: key, usual } = ATTRIBUTES[name];
-      if (!changed.has(key)) continue;
-      const own = this as Record<string, unknown>;
-      const value = readProperty(name, own[key]);
-      if (value === undefined) this.#fault('attribute', attributeFault(name, own[key]));
-      own[key] = value === undefined ? (changed.get(key) ?? usual) : value;
-    }
+    putBackBad(this, changed, (type, message) => this.#fault(type, message));
     if (changed.has('playbackRate')) this.#player.clock.rate = this.playbackRate;
     // A picture that can be turned is a group with the picture and its controls; another is the picture alone.
     this.#internals.role = this.cameraControls ? 'group' : null;
     this.#internals.ariaLabel = this.cameraControls ? this.#label || elementWords.alt(null, null) : null;
   }
 
-  protected override firstUpdated(): void {
-    const enabled = (): boolean => this.cameraControls && this.#drawn && !this.#poster;
-    listenToOrbit(this.#canvas, enabled, this.#player);
-  }
-
   protected override updated(changed: PropertyValues): void {
-    const any = (keys: readonly PropertyKey[]): boolean => keys.some((key) => changed.has(key));
     if (changed.has('touchAction') || changed.has('cameraControls'))
       this.#canvas.style.touchAction = this.cameraControls ? this.touchAction : 'auto';
-    if (any(OF_TREE)) this.#wantsTree = true;
+    if (this.cameraControls) void this.#listen();
+    const { tree, wind, air, look } = changesOf(changed);
+    if (tree) this.#wantsTree = true;
     // What follows asks for another rendering: after this one.
     queueMicrotask(() => {
-      if (any(OF_TREE) || changed.has('loading')) this.#loadIfNear();
-      if (any(OF_WIND)) this.#loader.reloadWind();
-      else if (any(ON_WIND)) void this.#blow();
-      if (any(OF_LOOK)) this.#relook();
+      if (tree || changed.has('loading')) this.#loadIfNear();
+      if (wind) this.#loader.reloadWind();
+      else if (air) void this.#blow();
+      if (look) this.#relook();
       if (changed.has('cameraOrbit')) this.#player.wishCamera(this.#drawn);
       if (changed.has('paused')) this.#run();
     });
   }
 
-  protected override render(): TemplateResult {
-    return elementTemplate({
+  protected override createRenderRoot(): HTMLElement | DocumentFragment {
+    const root = super.createRenderRoot();
+    this.#shadow = new ElementShadow(
+      root,
+      () => this.#toggle(),
+      () => {
+        if (this.#asks) this.dismissPoster();
+      },
+    );
+    return root;
+  }
+
+  protected override update(changed: PropertyValues): void {
+    super.update(changed);
+    this.#shadow?.set({
       label: this.#label,
       turns: this.cameraControls,
       poster: this.#poster ? this.poster : null,
-      asks: this.reveal === 'interaction' && this.#poster && this.#drawn,
+      asks: this.#asks,
       progress: this.#stage === 'loading' ? this.#progress : null,
       unable: this.#unable,
       message: this.#message,
       status: this.#said,
       controls: this.#drawn && !this.#poster,
       paused: this.paused,
-      onToggle: () => this.#toggle(),
-      onPoster: () => {
-        if (this.reveal === 'interaction' && this.#drawn) this.dismissPoster();
-      },
     });
   }
 
   get #canvas(): HTMLCanvasElement {
-    return this.renderRoot.querySelector('canvas') as HTMLCanvasElement;
+    return (this.#shadow as ElementShadow).canvas;
+  }
+
+  /** The poster waits to be pressed. */
+  get #asks(): boolean {
+    return this.reveal === 'interaction' && this.#poster && this.#drawn;
   }
 
   get #label(): string {
@@ -403,11 +385,30 @@ export class WindTreeElement extends WindTreeProperties {
     if (!this.#wantsTree || !this.isConnected || !this.hasUpdated) return;
     if (!this.#nearness.near && this.loading !== 'eager') return;
     this.#wantsTree = false;
-    if (!this.species && !this.src && !this.speciesData) return;
     this.#message = '';
+    if (!this.species && !this.src && !this.speciesData) {
+      // What was on its way is no longer wanted; a tree that stands stays.
+      this.#loader.cancel();
+      if (this.#stage === 'loading') this.#enter(this.#drawn ? 'ready' : 'idle');
+      return;
+    }
     this.#said = elementWords.status.loading;
     this.#enter('loading');
     void this.#loader.load();
+  }
+
+  /** Hears what hands and keys ask of the camera: loaded with the first element that lets them. */
+  async #listen(): Promise<void> {
+    if (this.#listens) return;
+    this.#listens = true;
+    try {
+      const { listenToOrbit } = await import('./orbit-input.ts');
+      const enabled = (): boolean => this.cameraControls && this.#drawn && !this.#poster;
+      listenToOrbit(this.#canvas, enabled, this.#player);
+    } catch (error) {
+      this.#listens = false;
+      this.#fault('fetch', String(error));
+    }
   }
 
   /** Loads what draws, and opens a view on it; null where it cannot, or is no longer wanted. */

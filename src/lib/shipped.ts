@@ -1,6 +1,6 @@
 import type { Species } from '../core/species/species.ts';
 import type { Wind } from '../core/wind/wind.ts';
-import { type ShippedSource, UnknownId } from '../element/shipped-source.ts';
+import { type ShippedSource, unknownId } from '../element/shipped-source.ts';
 
 type Modules<T> = Record<string, () => Promise<T>>;
 
@@ -47,12 +47,12 @@ export const shipped: ShippedSource = {
   winds: /* @__PURE__ */ [...winds.keys()],
   async speciesOf(id, signal) {
     const load = species.get(id);
-    if (!load) throw new UnknownId('species', id, this.species);
+    if (!load) throw await unknownId('species', id, this.species);
     return copyOf(load, signal);
   },
   async windOf(id, signal) {
     const load = winds.get(id);
-    if (!load) throw new UnknownId('wind', id, this.winds);
+    if (!load) throw await unknownId('wind', id, this.winds);
     return copyOf(load, signal);
   },
 };

@@ -3,10 +3,8 @@ import barkFragment from '../../shaders/branch/bark-fragment.glsl';
 import barkVertex from '../../shaders/branch/bark-vertex.glsl';
 import barkWrap from '../../shaders/branch/bark-wrap.glsl';
 import branchVertex from '../../shaders/branch/vertex.glsl';
-import channel from '../../shaders/debug/channel.glsl';
 import crown from '../../shaders/leaf/crown.glsl';
 import { layoutGlsl } from '../core/pack/layout-glsl.ts';
-import { CHANNEL_DIFFUSE, CHANNEL_FRAGMENT } from './channel-shader.ts';
 import { GROVE_FRAGMENT } from './forest/grove-shader.ts';
 import type { Injection, Patch } from './inject.ts';
 import { MIRRORS_NOTHING } from './lean-light.ts';
@@ -49,22 +47,19 @@ here.surface.position += here.surface.normal * barkRise(here, normal.x);
 export const BRANCH_STANDARD: Injection = {
   vertex: [
     ...shape,
-    { anchor: '#include <uv_pars_vertex>', before: `${crown}\n${barkVertex}\n${channel}` },
+    { anchor: '#include <uv_pars_vertex>', before: `${crown}\n${barkVertex}\n#pragma channel_vertex` },
+    // Wood shows where the crown is open, so it is less sheltered than the leaves around it.
     {
       anchor: '#include <defaultnormal_vertex>',
       after: `vAround = (modelViewMatrix * vec4(here.surface.around, 0.0)).xyz;
-// Wood shows where the crown is open, so it is less sheltered than the leaves around it.
 barkVertex(here, normal.x, mix(1.0, crownSky(here.surface.position), 0.6));
-#ifdef CHANNEL_VIEW
-ivec2 channelTexel = texelOf(branchRange.x + gl_InstanceID * branchRange.z + int(normal.y), branchLog2Width);
-vChannel = channelOf(int(texelFetch(branches, ivec3(channelTexel, BRANCH_SPAN), 0).x), here.along / texelFetch(branches, ivec3(channelTexel, BRANCH_STEM), 0).x);
-#endif`,
+#pragma channel_branch`,
     },
   ],
   fragment: [
     ...GROVE_FRAGMENT,
-    { anchor: '#include <common>', after: `${barkFragment}\n${CHANNEL_FRAGMENT}` },
-    { anchor: '#include <map_fragment>', after: `diffuseColor.rgb *= barkDiffuse();\n${CHANNEL_DIFFUSE}` },
+    { anchor: '#include <common>', after: `${barkFragment}\n#pragma channel_fragment` },
+    { anchor: '#include <map_fragment>', after: `diffuseColor.rgb *= barkDiffuse();\n#pragma channel_diffuse` },
     { anchor: '#include <roughnessmap_fragment>', after: 'roughnessFactor = barkRoughness(roughnessFactor);' },
     { anchor: '#include <normal_fragment_maps>', after: 'normal = barkNormal(normal);' },
     MIRRORS_NOTHING,

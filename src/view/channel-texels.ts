@@ -4,6 +4,7 @@ import { MECHANICS, MECHANICS_SIZE, TEXEL } from '../core/pack/layout.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { StemTable } from '../core/pack/stem-table.ts';
 import type { Species } from '../core/species/species.ts';
+import { provideChannels } from './channel-shader.ts';
 import type { ChannelView } from './picture/picture.ts';
 
 /** What the shaders need of a channel, a texel a piece: its colour, or what the sway along its stem follows from; and its part of the stem. */
@@ -13,6 +14,7 @@ export function channelTexels(
   { wind }: Species,
   channel: ChannelView,
 ): DataArrayTexture {
+  provideChannels();
   const { width, height } = pieces;
   const plane = width * height * TEXEL;
   const data = new Float32Array(2 * plane);

@@ -11,10 +11,11 @@ import {
 } from 'three';
 import { leafPrefixes } from '../core/lod/draw-counts.ts';
 import type { Fractions } from '../core/lod/fractions.ts';
+import { formMesh, formTriangles } from '../core/look/form-mesh.ts';
 import { coverCount } from '../core/look/leaf-count.ts';
 import { leafGrowth } from '../core/look/leaf-growth.ts';
-import { type LeafGrain, leafMesh, leafTriangles } from '../core/look/leaf-mesh.ts';
-import { leafSpecOf } from '../core/look/leaf-shapes.ts';
+import type { LeafGrain } from '../core/look/leaf-outline.ts';
+import { leafSpecOf } from '../core/look/leaf-spec.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
 import { bundleFor, leafGeometry } from './branch-geometry.ts';
@@ -62,8 +63,9 @@ export class DegradedLeaves {
     if (key === this.#key) return;
     this.#key = key;
     this.#bundle = bundleFor(tree.leafCount);
-    const grain = nearestGrain((g) => leafTriangles(spec, g));
-    const mesh = withoutStalks(leafMesh(spec, grain, this.#bundle));
+    const form = this.#host.kit.leafForm(spec);
+    const grain = nearestGrain((g) => formTriangles(form, spec, g));
+    const mesh = withoutStalks(formMesh(form, spec, grain, this.#bundle));
     const one = bladeMiddle(mesh);
     this.#trianglesEach = mesh.trianglesPerCopy;
     this.#part.value.z = one.area;

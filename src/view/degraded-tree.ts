@@ -6,11 +6,13 @@ import type { channelUniforms } from './channel-look.ts';
 import { type DrawnElements, type PaperRange, rangeFor } from './degradation.ts';
 import { DegradedLeaves } from './degraded-leaves.ts';
 import { DegradedStems } from './degraded-stems.ts';
+import type { TreeKit } from './tree-kit.ts';
 import type { Shown } from './tree-parts.ts';
 import type { BarkUniforms, LeafUniforms, LevelUniforms, SharedUniforms } from './uniforms.ts';
 
 /** What it needs of the tree that it draws. */
 export interface DegradedHost {
+  readonly kit: TreeKit;
   readonly shown: Shown;
   readonly shared: SharedUniforms;
   readonly bark: BarkUniforms;

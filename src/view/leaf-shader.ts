@@ -1,10 +1,8 @@
-import channel from '../../shaders/debug/channel.glsl';
 import leafFragment from '../../shaders/leaf/fragment.glsl';
 import leafLook from '../../shaders/leaf/look-vertex.glsl';
 import leafThrough from '../../shaders/leaf/through.glsl';
 import leafVertex from '../../shaders/leaf/vertex.glsl';
 import { layoutGlsl } from '../core/pack/layout-glsl.ts';
-import { CHANNEL_DIFFUSE, CHANNEL_FRAGMENT } from './channel-shader.ts';
 import { GROVE_FRAGMENT } from './forest/grove-shader.ts';
 import type { Injection, Patch } from './inject.ts';
 import { MIRRORS_NOTHING, oneLook } from './lean-light.ts';
@@ -36,7 +34,7 @@ export const SHADOW_TOWARDS_SUN: Patch = {
 export const LEAF_STANDARD: Injection = {
   vertex: [
     ...shape,
-    { anchor: '#include <uv_pars_vertex>', before: `${leafLook}\n${channel}` },
+    { anchor: '#include <uv_pars_vertex>', before: `${leafLook}\n#pragma channel_vertex` },
     {
       anchor: '#include <defaultnormal_vertex>',
       after: `transformedNormal = leafShadingNormal(
@@ -47,24 +45,20 @@ export const LEAF_STANDARD: Injection = {
 );
 vLeaf = vec4(blade.w, crownSky(here.position), blade.xy);
 leafColours(here.own);
-#ifdef CHANNEL_VIEW
-LeafTexel channelLeaf = leafTexel(texelFetch(leaves, ivec3(texelOf(max(leafPlace(), 0), leafLog2Width), LEAF_LEAF), 0));
-vec3 channelFoot = sectionAt(readPose(channelLeaf.piece, channelLeaf.odd), channelLeaf.v).centre;
-vChannel = channelOfLeaf(channelLeaf.piece, channelLeaf.v, channelLeaf.phase, channelFoot);
-#endif`,
+#pragma channel_leaf`,
     },
     SHADOW_TOWARDS_SUN,
   ],
   fragment: [
     ...GROVE_FRAGMENT,
-    { anchor: '#include <common>', after: `${leafFragment}\n${CHANNEL_FRAGMENT}` },
+    { anchor: '#include <common>', after: `${leafFragment}\n#pragma channel_fragment` },
     { anchor: '#include <lights_physical_pars_fragment>', after: leafThrough },
     MIRRORS_NOTHING,
     // Crowns are deep, and a leaf some way off is smaller than the edge of its shadow.
     oneLook('!defined(LEAF_LISTED)'),
     {
       anchor: '#include <map_fragment>',
-      after: `diffuseColor.rgb *= leafDiffuse(gl_FrontFacing);\n${CHANNEL_DIFFUSE}`,
+      after: `diffuseColor.rgb *= leafDiffuse(gl_FrontFacing);\n#pragma channel_diffuse`,
     },
     // The vertex has turned the normal to the eye already; three turns it by the side of the triangle.
     {
@@ -73,10 +67,10 @@ vChannel = channelOfLeaf(channelLeaf.piece, channelLeaf.v, channelLeaf.phase, ch
   normal *= faceDirection;
 #endif`,
     },
+    // Rounded normals lie aslant to the eye along the crown's rim: what they would mirror of the sky is kept low.
     {
       anchor: '#include <aomap_fragment>',
       after: `reflectedLight.indirectDiffuse *= vLeaf.y;
-// Rounded normals lie aslant to the eye along the crown's rim: what they would mirror of the sky is kept low.
 reflectedLight.indirectSpecular *= 0.3 * vLeaf.y;`,
     },
   ],

@@ -120,8 +120,9 @@ export class TreeParts extends Object3D {
   /** Makes drawing by the paper's rules possible: most never do, and need not wait for its code. */
   async loadDegradation(): Promise<void> {
     const { DegradedTree } = await import('./degraded-tree.ts');
-    const { shown, shared, bark, channelLook } = this;
+    const { kit, shown, shared, bark, channelLook } = this;
     this.#degraded ??= new DegradedTree({
+      kit,
       shown,
       shared,
       bark,

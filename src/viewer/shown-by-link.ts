@@ -3,6 +3,7 @@ import { decodeLink } from '../core/link/decode.ts';
 import { ALL_LEVELS, type LinkDocument, OVERLAYS, type StageId, type ViewMode } from '../core/link/document.ts';
 import type { LinkFault } from '../core/link/reader.ts';
 import { roundWind } from '../core/link/round-wind.ts';
+import { viewerLacks } from '../core/link/viewer-parts.ts';
 import { editSpecies } from '../core/species/edits.ts';
 import { parseSpecies } from '../core/species/parse.ts';
 import type { Species } from '../core/species/species.ts';
@@ -43,16 +44,6 @@ const DEBUG_OF: Readonly<Record<ViewMode, ElementDebug>> = {
 /** How the element shows what a link draws over its tree or in its place: one thing at a time. */
 const debugOf = ({ view, overlays }: LinkDocument): ElementDebug =>
   view === 'shaded' && overlays.arrows ? 'field' : DEBUG_OF[view];
-
-/** What a link has that the element has not, in words. */
-function leftOutOf(document: LinkDocument): string[] {
-  const { compare, arrows, probe } = words.parts;
-  return [
-    document.compare ? compare : '',
-    document.overlays.arrows && document.view !== 'shaded' ? arrows : '',
-    document.probe === null ? '' : probe,
-  ].filter(Boolean);
-}
 
 const listOf = async (path: string) => parseIndex(JSON.parse(await loadText(path))).entries ?? [];
 
@@ -108,7 +99,7 @@ export async function shownByLink(link: string): Promise<ShownByLink> {
     document,
     environment: ENVIRONMENT_OF[document.stage],
     debug: debugOf(document),
-    leftOut: leftOutOf(document),
+    leftOut: viewerLacks(document).map((part) => words.parts[part]),
     faults,
   };
 }

@@ -74,12 +74,16 @@ export function remote<Service>(port: Port): Remote<Service> {
         else keep(told.answer);
       });
       const args = given.filter((arg) => typeof arg !== 'function');
-      port.postMessage({ id, name, args, hears: hear !== null } satisfies Asked);
+      try {
+        port.postMessage({ id, name, args, hears: hear !== null } satisfies Asked);
+      } catch (error) {
+        open.delete(id); // it cannot be sent, and so is never answered
+        breakOff(error);
+      }
     });
   return new Proxy({} as Remote<Service>, {
-    get:
-      (_, name) =>
-      (...args: unknown[]) =>
-        ask(String(name), args),
+    // With a `then` it would pass for a promise: whoever awaits it would ask the other end for that, and wait for ever.
+    get: (_, name) =>
+      typeof name === 'symbol' || name === 'then' ? undefined : (...args: unknown[]) => ask(name, args),
   });
 }

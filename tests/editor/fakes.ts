@@ -11,6 +11,7 @@ export const fakeServices = (show: (document: LinkDocument) => void = () => {}):
   now: first,
   first,
   addressOf: () => 'https://example.org/',
+  notInLink: () => [],
   read: (link) => decodeLink(link, { defaults: first(), species: ['quaking-aspen', 'black-tupelo'], winds: {} }),
   show,
   when: () => 0,

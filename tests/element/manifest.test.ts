@@ -39,12 +39,12 @@ describe('custom-elements.json', () => {
   });
 
   test('has the events, slots, parts, properties and states that the code has', () => {
-    const template = read('src/element/element-template.ts');
+    const shadow = read('src/element/element-shadow.ts');
     const styles = read('src/element/element-styles.ts');
     const events = read('src/element/element-events.ts').split('interface WindTreeEventDetails {')[1]!.split('\n}')[0]!;
     expect(names('events')).toEqual(found(events, /^ {2}'?([\w-]+)'?:/gm));
-    expect(names('slots')).toEqual(['', ...found(template, /<slot name="([\w-]+)"/g)]);
-    expect(names('cssParts')).toEqual(found(template, /part="([\w-]+)"/g));
+    expect(names('slots')).toEqual(['', ...found(shadow, /\bslot\('([\w-]+)'/g)]);
+    expect(names('cssParts')).toEqual(found(shadow, /part: '([\w-]+)'/g));
     expect(names('cssProperties')).toEqual(found(styles, /var\((--[\w-]+)/g));
     expect(names('cssStates')).toEqual(['error', 'loading', 'paused', 'ready']);
   });

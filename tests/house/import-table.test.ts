@@ -20,7 +20,7 @@ const table: Record<string, { rooms: string[]; packages: string[] }> = {
   worker: { rooms: ['worker', 'core'], packages: [] },
   gpu: { rooms: ['gpu', 'core', 'shaders'], packages: ['three'] },
   view: { rooms: ['view', 'core', 'worker', 'gpu', 'shaders'], packages: ['three', 'mediabunny'] },
-  element: { rooms: ['element', 'core', 'view', 'worker'], packages: ['lit'] },
+  element: { rooms: ['element', 'core', 'view', 'worker'], packages: ['@lit/reactive-element'] },
   lib: { rooms: ['lib', 'core', 'view', 'worker', 'element'], packages: [] },
   site: { rooms: ['site'], packages: ['workbox-precaching', 'workbox-routing', 'workbox-strategies'] },
   reference: { rooms: ['reference', 'core'], packages: [] },

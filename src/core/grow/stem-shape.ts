@@ -1,26 +1,14 @@
 import { crownCurve } from './crown-curve.ts';
 import { power, sinCos, trig } from './elementary.ts';
 
+export { SHAPES } from './shape-names.ts';
+
 /** The part of a species' pruning that gives the envelope its shape. */
 export interface EnvelopeShape {
   readonly widthPeak: number;
   readonly powerLow: number;
   readonly powerHigh: number;
 }
-
-/** Shape ids of the paper, 0..8, and Windgrove's 9 (row 10). */
-export const SHAPES = [
-  'conical',
-  'spherical',
-  'hemispherical',
-  'cylindrical',
-  'tapered cylindrical',
-  'flame',
-  'inverse conical',
-  'tend flame',
-  'envelope',
-  'cone',
-] as const;
 
 const clamp01 = (x: number): number => Math.min(Math.max(x, 0), 1);
 

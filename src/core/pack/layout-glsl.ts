@@ -22,7 +22,7 @@ const TABLES = {
 
 /**
  * The layouts as GLSL: `const int PIECE_ATTACH = 0;` and so on for every layer and pose target, and `texelAt`, the texel of
- * a thing in a layer. Goes in front of any shader that reads a tree; GLSL ES 3.00.
+ * a thing in a layer of a texture array whose width is 2^log2Width. Goes in front of any shader that reads a tree; GLSL ES 3.00.
  */
 export function layoutGlsl(): string {
   const constants = Object.entries(TABLES).flatMap(([table, layers]) =>
@@ -32,7 +32,6 @@ export function layoutGlsl(): string {
     '#ifndef WINDGROVE_LAYOUT',
     '#define WINDGROVE_LAYOUT',
     ...constants,
-    '// Texel of thing `index` in `layer` of a texture array whose width is 2^log2Width.',
     'ivec3 texelAt(int index, int log2Width, int layer) {',
     '  return ivec3(index & ((1 << log2Width) - 1), index >> log2Width, layer);',
     '}',

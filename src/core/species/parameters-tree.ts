@@ -1,4 +1,4 @@
-import { SHAPES } from '../grow/stem-shape.ts';
+import { SHAPES } from '../grow/shape-names.ts';
 import type { NumberParameter, NumbersParameter } from './parameter.ts';
 import { number } from './parameter.ts';
 

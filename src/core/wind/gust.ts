@@ -1,5 +1,7 @@
 import { ORIGIN, type Placement } from './place.ts';
-import { type Gust, SHORTEST_REPEAT } from './wind.ts';
+import { type Gust, gustRepeat } from './wind.ts';
+
+export { gustRepeat } from './wind.ts';
 
 /** Most gusts that the force sums at one time. */
 export const MAX_GUSTS = 8;
@@ -77,10 +79,6 @@ export function gustsForce(w: GustUniforms, x: number, y: number): [x: number, y
 /** When the front of a gust passes the world point (x, y) for the first time, seconds. */
 export const gustArrival = (gust: Gust, x: number, y: number): number =>
   gust.start + (Math.cos(gust.direction) * (x - gust.x) + Math.sin(gust.direction) * (y - gust.y)) / gust.speed;
-
-/** Seconds after which a gust comes again, 0 where it does not: never before the last one is over, whatever the document says. */
-export const gustRepeat = ({ repeat, rise, fall }: Pick<Gust, 'repeat' | 'rise' | 'fall'>): number =>
-  repeat > 0 ? Math.max(repeat, rise + fall, SHORTEST_REPEAT) : 0;
 
 /** How far left of the axis of a gust the world point (x, y) lies, metres. */
 const gustOffset = (gust: Gust, x: number, y: number): number =>

@@ -11,9 +11,8 @@ import {
   readTexts,
   unknownKeys,
 } from '../file/read.ts';
-import { gustRepeat } from './gust.ts';
 import { readRecord } from './record-file.ts';
-import { type Gust, SHORTEST_REPEAT, type Wind } from './wind.ts';
+import { type Gust, gustRepeat, SHORTEST_REPEAT, type Wind } from './wind.ts';
 import { WIND_PARTS, type WindPart } from './wind-parameters.ts';
 
 export type ParsedWind =

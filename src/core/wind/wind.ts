@@ -136,6 +136,10 @@ export const MOST_GUSTS = 16;
 /** Shortest time in seconds after which a gust comes again. */
 export const SHORTEST_REPEAT = 5;
 
+/** Seconds after which a gust comes again, 0 where it does not: never before the last one is over, whatever the document says. */
+export const gustRepeat = ({ repeat, rise, fall }: Pick<Gust, 'repeat' | 'rise' | 'fall'>): number =>
+  repeat > 0 ? Math.max(repeat, rise + fall, SHORTEST_REPEAT) : 0;
+
 /** Most levels that `SpringSettings.levels` tells apart. */
 export const SPRING_LEVELS = 4;
 

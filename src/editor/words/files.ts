@@ -1,3 +1,10 @@
+/** What a page that is embedded may lack. */
+const embedParts = {
+  compare: 'the second wind',
+  arrows: 'the arrows',
+  probe: 'the probe',
+} as const;
+
 /** Files, snapshots and what the page keeps by itself. */
 export const fileWords = {
   menu: {
@@ -31,6 +38,9 @@ export const fileWords = {
   beforeLink: 'Before the link',
   embedCopied: 'The snippet is copied; paste it into the HTML of your page',
   embedShown: 'The browser does not let this page copy; here is the snippet',
+  /** What the viewer leaves out of what is on the screen. */
+  embedLacks: (parts: readonly (keyof typeof embedParts)[]): string =>
+    `It leaves out ${new Intl.ListFormat('en-GB').format(parts.map((part) => embedParts[part]))}: it shows one tree in one wind.`,
   linkCopied: 'The link to this picture is copied',
   linkShown: 'The browser does not let this page copy; the link is in the address bar',
   notInLink: (name: string): string => `${name} is not in it: a measured wind of your own is too long for a link.`,

@@ -1,12 +1,13 @@
-import type { openCapture as Open } from './capture.ts';
-import type { Capture } from './picture.ts';
+import { WindTree } from '../wind-tree.ts';
+import type { Sitter, Viewpoint } from './capture-stage.ts';
+import type { Capture, CaptureOptions } from './picture.ts';
 import type { Portraits } from './portraits.ts';
 
 // What draws beside the picture is loaded when it is first asked for: a tree stands before.
 
 /** As `openCapture` of capture.ts. */
-export const openCapture = async (...given: Parameters<typeof Open>): Promise<Capture> =>
-  (await import('./capture.ts')).openCapture(...given);
+export const openCapture = async (sitter: Sitter, from: Viewpoint, options: CaptureOptions): Promise<Capture> =>
+  (await import('./capture.ts')).openCapture(sitter, from, options, () => new WindTree());
 
 let portraits: Promise<Portraits> | null = null;
 

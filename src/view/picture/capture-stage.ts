@@ -5,9 +5,9 @@ import type { StemTable } from '../../core/pack/stem-table.ts';
 import type { Species } from '../../core/species/species.ts';
 import type { Wind } from '../../core/wind/wind.ts';
 import { frameTree } from '../framing.ts';
+import type { KitTree } from '../kit-tree.ts';
 import { AZIMUTH, FOV, type Shot, Stage } from '../stage.ts';
 import { uprightBox } from '../tree-extent.ts';
-import { WindTree } from '../wind-tree.ts';
 import { placeOf } from './camera-pose.ts';
 import { closeUp, WHOLE } from './close-up.ts';
 import type { ChannelView, Show } from './picture.ts';
@@ -45,12 +45,16 @@ export const fieldOfView = (high: number, wide: number, aspect: number): number 
  */
 export class CaptureStage {
   readonly #stage: Stage;
-  readonly #tree = new WindTree();
+  readonly #tree: KitTree;
   readonly #longest: number;
   #sitter: Sitter | null = null;
 
-  /** `longest`: pixels of a side that are drawn at once at most, where the GPU could do more. Throws where the browser gives no further WebGL2 context. */
-  constructor(around: Setting, longest = Number.POSITIVE_INFINITY) {
+  /**
+   * `tree`: a new one, which is the stage's own from now on; `longest`: pixels of a side that are drawn at once at most, where the GPU could
+   * do more. Throws where the browser gives no further WebGL2 context.
+   */
+  constructor(around: Setting, tree: KitTree, longest = Number.POSITIVE_INFINITY) {
+    this.#tree = tree;
     this.#longest = longest;
     this.#stage = new Stage(document.createElement('canvas'), { alpha: around === 'none' });
     const { scene, sky, ground, meadow } = this.#stage;

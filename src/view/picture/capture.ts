@@ -1,3 +1,4 @@
+import type { KitTree } from '../kit-tree.ts';
 import { CaptureStage, type Sitter, type Viewpoint } from './capture-stage.ts';
 import type { Capture, CaptureOptions, PictureSize } from './picture.ts';
 
@@ -24,7 +25,7 @@ export function mostPixels({ width, height }: PictureSize): number {
 }
 
 /**
- * Opens a drawing of a tree at a size of its own, on a stage of its own.
+ * Opens a drawing of a tree at a size of its own, on a stage of its own. `tree`: what makes the object that is drawn.
  *
  * Throws RangeError where a side is no whole number of pixels, CaptureTooLarge, and what the browser says where it gives no context.
  */
@@ -32,6 +33,7 @@ export function openCapture(
   sitter: Sitter,
   from: Viewpoint,
   { width, height, transparent, shot = null }: CaptureOptions,
+  tree: () => KitTree,
 ): Capture {
   for (const side of [width, height]) {
     if (!Number.isInteger(side) || side < 1)
@@ -42,7 +44,7 @@ export function openCapture(
   const canvas = document.createElement('canvas');
   canvas.width = width;
   canvas.height = height;
-  const stage = new CaptureStage(transparent ? 'none' : 'stage');
+  const stage = new CaptureStage(transparent ? 'none' : 'stage', tree());
   stage.take(sitter);
   stage.shot = shot;
   let drawing: Promise<void> = Promise.resolve();

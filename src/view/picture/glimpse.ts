@@ -1,6 +1,7 @@
 import { inSeason, type Season } from '../../core/species/season.ts';
 import type { Species } from '../../core/species/species.ts';
 import type { Wind } from '../../core/wind/wind.ts';
+import { WindTree } from '../wind-tree.ts';
 import { CaptureStage } from './capture-stage.ts';
 import type { GrownTree } from './grow-tree.ts';
 import { PreviewGrower } from './preview-grower.ts';
@@ -88,7 +89,7 @@ export class Glimpse {
     signal: AbortSignal,
     live: () => void,
   ): Promise<void> {
-    this.#stage ??= new CaptureStage('stage');
+    this.#stage ??= new CaptureStage('stage', new WindTree());
     const stage = this.#stage;
     const show = { levelsShown: Number.POSITIVE_INFINITY, showLeaves: true, view: 'shaded' } as const;
     const dressed = inSeason(species, season);

@@ -1,5 +1,6 @@
 import type { Species } from '../../core/species/species.ts';
 import { STILL } from '../../core/wind/wind.ts';
+import { WindTree } from '../wind-tree.ts';
 import { CaptureStage, type Setting, type Sitter } from './capture-stage.ts';
 import { frameView } from './frame-view.ts';
 import type { GrownTree } from './grow-tree.ts';
@@ -53,7 +54,7 @@ export class Portraits {
     if (this.#stage && this.#around === around) return this.#stage;
     this.dispose();
     this.#around = around;
-    return new CaptureStage(around);
+    return new CaptureStage(around, new WindTree());
   }
 
   dispose(): void {

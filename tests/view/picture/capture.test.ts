@@ -30,14 +30,20 @@ describe('tiles', () => {
 });
 
 describe('a capture', () => {
+  const noTree = (): never => {
+    throw new Error('It asked for a tree before it knew that there would be a picture.');
+  };
+
   it('says how large it may be', () => {
     expect(mostPixels({ width: 10, height: 1 })).toBe(16384);
     expect(mostPixels({ width: 1, height: 1 })).toBe(11585);
-    const open = () => openCapture({} as never, 'whole', { width: 20000, height: 10000, transparent: false });
+    const open = () => openCapture({} as never, 'whole', { width: 20000, height: 10000, transparent: false }, noTree);
     expect(open).toThrow(CaptureTooLarge);
     expect(open).toThrow('16384');
     for (const width of [0, 1.5, -3, Number.NaN]) {
-      expect(() => openCapture({} as never, 'whole', { width, height: 10, transparent: false })).toThrow(RangeError);
+      expect(() => openCapture({} as never, 'whole', { width, height: 10, transparent: false }, noTree)).toThrow(
+        RangeError,
+      );
     }
   });
 
