@@ -21,6 +21,8 @@ export abstract class Part extends LitElement {
     super.connectedCallback();
     const again = (): void => this.requestUpdate();
     this.stops = [this.editor.document.subscribe(again), this.editor.session.subscribe(again)];
+    // What changed while it was out of the page, as a closed dialog's content is, it was not told of.
+    again();
   }
 
   override disconnectedCallback(): void {
