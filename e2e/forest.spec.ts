@@ -23,6 +23,8 @@ test('a link makes its forest, what is wrong with it or with a picture is said, 
     .first()
     .setInputFiles({ name: 'hills.png', mimeType: 'image/png', buffer: Buffer.from('no picture') });
   await expect(alert).toContainText('hills.png');
+  await page.keyboard.press('Escape');
+  await expect(alert).toHaveCount(0);
   expect(await page.evaluate(() => window.windgroveForest!.state().terrain.kind)).toBe('hills');
   await page.locator('html[data-ready=true]').waitFor({ timeout: 60_000 });
   const stats = await page.evaluate(() => window.windgroveForest!.stats());

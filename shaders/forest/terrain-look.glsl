@@ -64,6 +64,11 @@ vec3 terrainDiffuse() {
   return mix(c, floor_, 0.85 * litter);
 }
 
+// A blade: at its foot as the ground, at its tip (1) mostly that in more light, so that it stands out of no patch. tone: about 1.
+vec3 terrainBlade(vec3 ground, float tone, float tip) {
+  return mix(0.82 * ground, mix(1.25 * ground, grassLight, 0.35) * tone, tip);
+}
+
 // Light of the sky that gets through the crowns.
 float terrainSky() {
   return mix(0.5, 1.0, terrainLight.y);

@@ -85,6 +85,14 @@ function run(picture: HTMLElement, over: HTMLElement, sources: Sources, world: W
       () => store.set({ notice: { kind: 'note', title: words.notCopied, lines: [] } }),
     );
   };
+  /** Escape takes away what lies over the picture: a message first, then the sheet of settings of a narrow window. */
+  const leave = (): void => {
+    if (store.state.notice) store.set({ notice: null });
+    else if (matchMedia(NARROW).matches && store.state.open) {
+      store.set({ open: false });
+      over.querySelector<HTMLElement>('[data-do=open]')?.focus();
+    }
+  };
   const draw = (): void => drawShell(over, store, sources, world, { onScene, onCopy });
 
   world.onForest = (document, standing) => {
@@ -115,6 +123,7 @@ function run(picture: HTMLElement, over: HTMLElement, sources: Sources, world: W
   });
   window.addEventListener('keydown', (event) => {
     const { target } = event;
+    if (event.code === 'Escape') return leave();
     const busy =
       target instanceof HTMLElement && target.closest('button, input, select, textarea, summary, a') !== null;
     if (event.code !== 'Space' || busy || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -132,9 +141,10 @@ function run(picture: HTMLElement, over: HTMLElement, sources: Sources, world: W
       if (!event.dataTransfer?.types.includes('Files')) return;
       event.preventDefault();
       hold(kind === 'dragover');
+      const aim = event.target instanceof Element ? event.target.closest<HTMLElement>('[data-map]') : null;
+      for (const place of over.querySelectorAll('.drop > [data-map]')) place.toggleAttribute('data-aim', place === aim);
       if (kind === 'dragover') return;
-      const over = event.target instanceof Element ? event.target.closest<HTMLElement>('[data-map]') : null;
-      void takeMap(store, over?.dataset.map === 'density' ? 'density' : 'height', event.dataTransfer.files[0]);
+      void takeMap(store, aim?.dataset.map === 'density' ? 'density' : 'height', event.dataTransfer.files[0]);
     });
   }
   world.stage.renderer.domElement.addEventListener('webglcontextlost', (event) => {
@@ -147,6 +157,10 @@ function run(picture: HTMLElement, over: HTMLElement, sources: Sources, world: W
   world.follow(store.state, true);
   jump = false;
   draw();
+  // On a phone the settings are a sheet over the lower part of the picture.
+  const panel = over.querySelector<HTMLElement>('.panel')!;
+  const sheet = (): number => (matchMedia(NARROW).matches && store.state.open ? panel.offsetHeight : 0);
+  new ResizeObserver(() => world.cover(sheet())).observe(panel);
   let counted = 0;
   let seen = '';
   const frame = (now: number): void => {

@@ -18,7 +18,7 @@ export function counters(stats: ForestStats): TemplateResult {
     ['growing', names.growing, many(stats.growing)],
     ['step', names.step, step],
   ];
-  return html`<dl class="counters" aria-label=${words.now}>
+  return html`<dl class="counters">
     ${rows.map(([key, name, value]) => html`<div><dt>${name}</dt><dd data-counter=${key}>${value}</dd></div>`)}
   </dl>`;
 }

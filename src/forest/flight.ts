@@ -52,6 +52,8 @@ export class Flight {
   fov = 45;
   readonly #canvas: HTMLElement;
   readonly #held = new Set<string>();
+  /** Keys that were pressed since the last frame, though they may be up again. */
+  readonly #tapped = new Set<string>();
   readonly #pointers = new Map<number, { x: number; y: number }>();
   readonly #speed = [0, 0, 0, 0, 0];
   /** Metres ahead, right and up that are still to go. */
@@ -95,11 +97,12 @@ export class Flight {
   /** Goes on for `seconds`; whether the eye has moved since the last time. */
   update(seconds: number): boolean {
     const wished = [0, 0, 0, 0, 0];
-    for (const code of this.#held) {
+    for (const code of new Set([...this.#held, ...this.#tapped])) {
       MOVES[code]?.forEach((move, i) => {
         wished[i]! += move;
       });
     }
+    this.#tapped.clear();
     const part = 1 - Math.exp(-seconds / EASE);
     const times = SPEED * (this.#fast ? FASTER : 1);
     wished.forEach((wish, i) => {
@@ -141,6 +144,7 @@ export class Flight {
     if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
     event.preventDefault();
     this.#held.add(event.code);
+    this.#tapped.add(event.code);
   }
 
   #down(event: PointerEvent): void {

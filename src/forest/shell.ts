@@ -53,7 +53,7 @@ export function drawShell(into: HTMLElement, store: Store, sources: Sources, wor
           ${pages()}
           ${panel(store, sources, { standing: world.standing, ownSpeed: world.ownSpeed, ...work })}
         </div>
-        <div class="now" ?hidden=${!open}></div>
+        <div class="now" role="region" aria-label=${words.now} ?hidden=${!open}></div>
       </div>
       <div class="notices">
         ${

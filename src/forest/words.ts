@@ -98,6 +98,7 @@ export const words = {
     ['Q E', 'sink and rise'],
     ['Shift', 'faster'],
     ['Space', 'play or pause'],
+    ['Escape', 'close a message'],
   ] as readonly (readonly [string, string])[],
   noWebGl: 'This forest needs WebGL 2, which this browser does not give.',
   noWebGlMore: 'A newer browser, or one with hardware acceleration switched on, can show it.',
@@ -111,7 +112,7 @@ export const words = {
     `The forest was made with the picture “${name}”, which a link cannot hold. Put it in again under Ground; until then trees stand everywhere.`,
   noRoom: (count: number, there: number): string =>
     there === 0
-      ? 'No tree finds a place here: no species of the mix may stand on this ground.'
+      ? 'No tree finds a place here: the ground and the density map or clearings leave none for any species of the mix.'
       : `${many(there)} of ${many(count)} trees found a place.`,
   dismiss: 'Close the message',
 };

@@ -21,6 +21,10 @@ const FADE = 1.5;
 /** Milliseconds for which nothing grows after a change that may be followed by others: sliders are dragged. */
 const PATIENCE = 160;
 
+/** Milliseconds of a frame from which a picture that stands still is drawn seldom while its trees grow, and the part of the time that it may then take. */
+const LONG = 80;
+const PART = 0.2;
+
 /** The picture of the page: stage, forest, eye and clock, which follow the state. */
 export class World {
   readonly stage: ForestStage;
@@ -44,6 +48,9 @@ export class World {
   #progress = -1;
   #stale = 4;
   #last = Number.NaN;
+  /** When the last picture was drawn, and the longest frame since. */
+  #drawn = Number.NaN;
+  #longest = 0;
 
   /** Draws on `canvas`. Throws where the browser gives no WebGL2 context. */
   constructor(canvas: HTMLCanvasElement, sources: Sources) {
@@ -77,6 +84,12 @@ export class World {
 
   resize(width: number, height: number): void {
     this.stage.resize(width, height, Math.min(2, devicePixelRatio));
+    this.#stale = 2;
+  }
+
+  /** Something lies over so many pixels at the foot of the picture: the eye looks to the middle of the rest. */
+  cover(pixels: number): void {
+    this.stage.stage.setInsets({ top: 0, right: 0, bottom: pixels, left: 0 });
     this.#stale = 2;
   }
 
@@ -150,13 +163,17 @@ export class World {
     }
   }
 
-  /** Draws a frame, unless nothing has changed since the last; whether it did. `now` in milliseconds. */
+  /** Goes on with what grows and draws a frame, unless nothing has changed since the last; whether it did. `now` in milliseconds. */
   frame(now: number): boolean {
-    const seconds = Number.isNaN(this.#last) ? 0 : Math.min(0.1, (now - this.#last) / 1000);
+    const passed = Number.isNaN(this.#last) ? 0 : now - this.#last;
+    // After a pause nobody is thrown far; slow frames are no pause.
+    const seconds = Math.min(0.5, passed / 1000);
     this.#last = now;
+    this.#longest = Math.max(this.#longest, passed);
     this.clock.tick(now);
     const moved = this.flight.update(seconds);
-    if (!this.clock.playing && !moved && !this.busy && this.#stale === 0) return false;
+    const still = !this.clock.playing && !moved && this.#stale === 0;
+    if (still && !this.busy) return false;
     if (this.#stale > 0) this.#stale--;
     const { stage, forest } = this;
     const { x, y, z, yaw, pitch } = this.flight.eye;
@@ -166,6 +183,13 @@ export class World {
     camera.updateMatrixWorld();
     forest.update(stage.renderer, camera, this.clock.time, now);
     this.#shade();
+    // A slow machine gives its time to the trees that are awaited, not to the same picture again; the last one is drawn in any case.
+    if (still && this.#stale === 0 && this.#longest > LONG && now - this.#drawn < this.#longest / PART) {
+      if (!this.busy) this.#stale = 2;
+      return false;
+    }
+    this.#drawn = now;
+    this.#longest = 0;
     stage.setStep(forest.step);
     stage.blow(forest.windSource(), this.clock.time);
     stage.render();

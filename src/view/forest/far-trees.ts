@@ -10,7 +10,7 @@ import type { ShadeTree } from './ground-shade.ts';
 import { type AtlasOptions, ImpostorAtlas } from './impostor-atlas.ts';
 import { ImpostorBaker } from './impostor-bake.ts';
 import { Impostors } from './impostors.ts';
-import { bequeath, handOut, type Shape, sameShapes, shapeFailed, shapesOf } from './tree-shapes.ts';
+import { bequeath, handOut, type Shape, sameShapes, shapeFailed, shapesOf, shownAs } from './tree-shapes.ts';
 
 /** Seconds in which trees come whose pictures have just been taken. */
 const FADE = 0.5;
@@ -85,7 +85,6 @@ export class FarTrees {
     handOut(this.#shapes, setup);
     this.#own = new Float32Array(setup.places.count);
     this.#nearer = new Float32Array(setup.places.count);
-    for (const { ranks, come } of this.#shapes) for (const i of ranks) this.#own[i] = come;
     this.#place();
   }
 
@@ -98,7 +97,7 @@ export class FarTrees {
     if (!baker.idle) {
       baker.bakeSome(renderer, ms);
       for (const shape of this.#shapes) {
-        if (shape.state === 'baking' && baker.ready(shape.layer)) shape.state = 'there';
+        if (shape.state === 'baking' && baker.ready(shape.layer)) this.#arrive(shape);
       }
       // Now it is known how large they are.
       if (baker.idle && this.grown) this.#place();
@@ -106,10 +105,7 @@ export class FarTrees {
     for (const shape of this.#shapes) {
       if (shape.state !== 'there' || shape.come >= 1) continue;
       shape.come = Math.min(1, shape.come + passed / (1000 * FADE));
-      for (const i of shape.ranks) {
-        this.#own[i] = shape.come;
-        impostors.setThere(i, shape.come, this.#nearer[i] as number);
-      }
+      for (const other of this.#shapes) if (shownAs(this.#shapes, other) === shape) this.#show(other);
     }
     impostors.update(camera);
   }
@@ -159,8 +155,10 @@ export class FarTrees {
     if (!setup || !atlas) return [];
     const { places, feet, mix } = setup;
     const crowns: ShadeTree[] = [];
-    for (const { layer, species, ranks } of this.#shapes) {
-      const crown = atlas.facts(layer)?.crown;
+    for (const shape of this.#shapes) {
+      const { species, ranks } = shape;
+      const shown = shownAs(this.#shapes, shape);
+      const crown = shown && atlas.facts(shown.layer)?.crown;
       if (!crown) continue;
       const [cx, cy, cz, rx, ry, rz] = Array.from(crown) as [number, number, number, number, number, number];
       const cover = mix[species]?.foliage.cover ?? 1;
@@ -224,9 +222,7 @@ export class FarTrees {
         if (!shapeFailed(shape)) return;
         this.#failed(error);
         const heir = bequeath(this.#shapes, shape);
-        if (!heir) return;
-        for (const i of heir.ranks) this.#own[i] = heir.come;
-        this.#place();
+        if (heir) this.#place();
       },
     );
   }
@@ -240,6 +236,24 @@ export class FarTrees {
     for (const shape of this.#shapes) for (const i of shape.ranks) layer[i] = shape.layer;
     const { count, x, y, turn } = places;
     this.#impostors.setTrees({ count, x, y, z: feet, turn, layer });
-    for (let i = 0; i < count; i++) this.#impostors.setThere(i, this.#own[i] as number, this.#nearer[i] as number);
+    for (const shape of this.#shapes) this.#show(shape);
+  }
+
+  /** The pictures of a shape have been taken: trees that another one stood in for have their own from now on. */
+  #arrive(shape: Shape): void {
+    const before = shownAs(this.#shapes, shape);
+    if (before) shape.come = before.come;
+    shape.state = 'there';
+    this.#show(shape);
+  }
+
+  /** Draws the trees of a shape as they are to be shown now. */
+  #show(shape: Shape): void {
+    const shown = shownAs(this.#shapes, shape);
+    for (const i of shape.ranks) {
+      this.#own[i] = shown?.come ?? 0;
+      if (shown) this.#impostors?.setLayer(i, shown.layer);
+      this.#impostors?.setThere(i, this.#own[i] as number, this.#nearer[i] as number);
+    }
   }
 }

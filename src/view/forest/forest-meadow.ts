@@ -6,11 +6,14 @@ import type { Injection, Patch } from '../inject.ts';
 import { GRASS_INJECTION, Meadow } from '../meadow.ts';
 import type { Terrain } from './terrain.ts';
 
+/** Where the meadow colours its tips as nothing but light grass: on straw, shade and litter such tips stand out as white specks. */
+const TIP = 'mix(groundDiffuse() * 0.82, grassLight * (';
+
 /** Text of the meadow's shader: its functions of the ground, or calls of them. */
 const terrainText = (text: string): string =>
   text.includes(groundGlsl)
     ? text.replace(groundGlsl, () => look)
-    : text.replace(/\bground(Diffuse|Sky|Fade)\(\)/g, 'terrain$1()');
+    : text.replace(TIP, 'terrainBlade(groundDiffuse(), (').replace(/\bground(Diffuse|Sky|Fade)\(\)/g, 'terrain$1()');
 
 /** The meadow's own patch with what is the ground's replaced by what is the terrain's. */
 const onTerrain = ({ anchor, ...patch }: Patch): Patch => {

@@ -157,6 +157,19 @@ export class Impostors extends Mesh<BufferGeometry, MeshStandardMaterial> {
     attribute.needsUpdate = true;
   }
 
+  /** The layer of the atlas that tree `i` shows from now on. */
+  setLayer(i: number, layer: number): void {
+    const slot = this.#cells?.slot[i];
+    if (slot === undefined) return;
+    const attribute = this.geometry.getAttribute('farLook') as BufferAttribute;
+    const { array } = attribute;
+    const at = 4 * FOUR * slot;
+    if (array[at + 1] === layer) return;
+    for (let corner = 0; corner < 4; corner++) array[at + FOUR * corner + 1] = layer;
+    attribute.addUpdateRange(at, 4 * FOUR);
+    attribute.needsUpdate = true;
+  }
+
   /** Chooses what is drawn for this camera, whose and whose forest's world matrices are up to date, in the wind of the field. */
   update(camera: Camera): void {
     for (const each of [this.material, this.customDepthMaterial, this.customDistanceMaterial]) {

@@ -14,7 +14,7 @@ interface SeasonGround {
 const GROUNDS: Readonly<Record<Season, SeasonGround>> = {
   spring: { light: [1, 1.04, 0.94], dark: [0.98, 1.05, 0.95], blades: 0.8, flowers: 1.6 },
   summer: { light: [1, 1, 1], dark: [1, 1, 1], blades: 1, flowers: 1 },
-  autumn: { light: [1.17, 1.02, 0.98], dark: [1.24, 1.0, 0.95], blades: 1, flowers: 0.1 },
+  autumn: { light: [1.17, 1.02, 0.98], dark: [1.24, 1.0, 0.95], blades: 1, flowers: 0 },
   winter: { light: [1.04, 0.95, 1.2], dark: [1.2, 0.98, 1.25], blades: 0.6, flowers: 0 },
 };
 

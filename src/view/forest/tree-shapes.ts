@@ -70,3 +70,9 @@ export function bequeath(shapes: readonly Shape[], shape: Shape): Shape | null {
   shape.ranks.length = 0;
   return heir;
 }
+
+/** What the trees of a shape are drawn as: until their own pictures are taken, as the first shape of their species that is there; null: not at all. */
+export const shownAs = (shapes: readonly Shape[], shape: Shape): Shape | null =>
+  shape.state === 'there'
+    ? shape
+    : (shapes.find(({ species, state }) => species === shape.species && state === 'there') ?? null);

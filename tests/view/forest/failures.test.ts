@@ -15,6 +15,7 @@ import {
   sameShapes,
   shapeFailed,
   shapesOf,
+  shownAs,
 } from '../../../src/view/forest/tree-shapes.ts';
 import { CellView } from '../../../src/view/forest/view-cells.ts';
 import { GroveClient } from '../../../src/worker/grove-client.ts';
@@ -64,6 +65,18 @@ test('a shape that cannot be grown is tried again, and then its trees take anoth
   second.state = 'broken';
   third.state = 'broken';
   expect(bequeath(shapes, second)).toBeNull();
+});
+
+test('until its own pictures are taken a tree shows a shape of its species that is there, and none before the first', () => {
+  const shapes = shapesOf(setUp(7));
+  const [first, second, third] = shapes as [Shape, Shape, Shape];
+  const shown = () => shapes.map((shape) => shownAs(shapes, shape));
+  expect(shown()).toEqual([null, null, null]);
+  second.state = 'there';
+  expect(shown()).toEqual([second, second, second]);
+  third.state = 'there';
+  expect(shown()).toEqual([second, second, third]);
+  expect(shownAs(shapes, { ...first, species: 1 })).toBeNull();
 });
 
 test('a forest of more trees has the same shapes, one of another seed or season has not', () => {
