@@ -99,7 +99,13 @@ test('shows a tree from poster to picture, is turned by keys, held still, surviv
     const error = next(tree, 'error');
     tree.setAttribute('wind-speed', '6 mph');
     const message = await error;
-    const kept = [Number(tree.windSpeed?.toFixed(3)), tree.getAttribute('wind-speed')];
+    // The clock's own time is no attribute's: a text that is none must not stay and make a still of the tree.
+    tree.setAttribute('time', 'soon');
+    const kept = [Number(tree.windSpeed?.toFixed(3)), tree.getAttribute('wind-speed'), tree.getAttribute('time')];
+    const half = next(tree, 'error');
+    tree.windData = { name: 'Half', waves: [1], gusts: [] } as never;
+    const halfWind = await half;
+    tree.windData = null;
     tree.seed = 2;
     await next(tree, 'progress');
     tree.seed = 5;
@@ -127,13 +133,14 @@ test('shows a tree from poster to picture, is turned by keys, held still, surviv
     await next(twin, 'load');
     const same = JSON.stringify(twin.getState()) === JSON.stringify(state);
     twin.remove();
-    return { message, kept, seeds, loaded, forgot, users: renderer.users - users, same, state };
+    return { message, kept, halfWind, seeds, loaded, forgot, users: renderer.users - users, same, state };
   });
   expect(told.message).toMatchObject({
     type: 'attribute',
     message: expect.stringMatching(/wind-speed="6 mph".*"6m\/s"/),
   });
-  expect(told.kept).toEqual([5.556, '5.55555556m/s']);
+  expect(told.kept).toEqual([5.556, '5.55555556m/s', '1s']);
+  expect(told.halfWind).toMatchObject({ type: 'wind', message: expect.stringMatching(/^windData: .*allowed/) });
   expect(told).toMatchObject({ seeds: [5, 7], loaded: false, forgot: 'idle', users: 0, same: true });
   expect(told.state).toMatchObject({ seed: 7, paused: true, camera: { distance: expect.any(Number) } });
 

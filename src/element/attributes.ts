@@ -80,7 +80,7 @@ export type AttributeName = keyof typeof ATTRIBUTES;
 export const attributeFault = (name: AttributeName, found: unknown): string => {
   const text = String(found);
   const short = text.length > 60 ? `${text.slice(0, 60)}…` : text;
-  return `${name}="${short}" is none: allowed is ${ATTRIBUTES[name].rule.allowed}.`;
+  return `${name}="${short}" is not allowed: it may be ${ATTRIBUTES[name].rule.allowed}.`;
 };
 
 /** A value that a property was given, as its attribute would read it; undefined where it may not be. */

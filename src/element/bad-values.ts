@@ -31,7 +31,7 @@ export function putBackBad(
   }
   for (const [key, type, allowed, lists] of DATA) {
     if (!changed.has(key) || own[key] === null || has(own[key], lists)) continue;
-    tell(type, `${key} is none: allowed is ${allowed}, or null.`);
+    tell(type, `${key} is not allowed: it may be ${allowed}, or null.`);
     own[key] = changed.get(key) ?? null;
   }
 }

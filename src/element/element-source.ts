@@ -21,7 +21,7 @@ export async function speciesOf(
   shipped: ShippedSource,
   signal: AbortSignal,
 ): Promise<Species | null> {
-  if (speciesData) return speciesData;
+  if (speciesData) return (await import('./checked-data.ts')).checkedSpecies(speciesData);
   if (!src && isShippedId(species)) return shipped.speciesOf(species, signal);
   const address = src || species;
   if (!address) return null;
@@ -35,7 +35,7 @@ export async function windOf(
   shipped: ShippedSource,
   signal: AbortSignal,
 ): Promise<Wind> {
-  if (windData) return windData;
+  if (windData) return (await import('./checked-data.ts')).checkedWind(windData);
   if (!wind) return STILL;
   if (isShippedId(wind)) return shipped.windOf(wind, signal);
   const { loadWind } = await import('../view/load.ts');

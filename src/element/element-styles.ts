@@ -91,9 +91,10 @@ export const elementStyles = css`
   progress::-moz-progress-bar {
     background: var(--wind-tree-progress-color, #1a7f37);
   }
+  /* At the top: the controls are at the bottom. */
   .message {
     position: absolute;
-    inset: auto 0 0;
+    inset: 0 0 auto;
     margin: 0;
     padding: 8px 12px;
     color: CanvasText;

@@ -346,7 +346,7 @@ export class WindTreeElement extends WindTreeProperties {
   #fault(type: ErrorType, message: string): void {
     const event = new CustomEvent('error', { detail: { type, message }, cancelable: true });
     // A slip in the markup must not go unheard where nobody listens; who does can prevent it.
-    if (this.dispatchEvent(event)) console.warn(`<wind-tree>: ${message}`);
+    if (this.dispatchEvent(event)) console.warn(`<wind-tree${this.id && ` id="${this.id}"`}>: ${message}`);
   }
 
   /** What is wrong with the tree itself is also seen. */

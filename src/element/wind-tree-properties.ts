@@ -36,6 +36,19 @@ export class WindTreeProperties extends ReactiveElement {
     windData: { attribute: false },
   };
 
+  #restoring = false;
+
+  /** Puts a text of `time` that may not be back as it was: that attribute is not reflected, and where it stands it makes a still. */
+  override attributeChangedCallback(name: string, before: string | null, text: string | null): void {
+    if (this.#restoring) return;
+    super.attributeChangedCallback(name, before, text);
+    if (name !== 'time' || text === null || ATTRIBUTES.time.rule.read(text) !== undefined) return;
+    this.#restoring = true;
+    if (before === null) this.removeAttribute(name);
+    else this.setAttribute(name, before);
+    this.#restoring = false;
+  }
+
   /** Id of a species that ships, such as `quaking-aspen`, or the address of a species file. */
   species = '';
 

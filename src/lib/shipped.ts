@@ -16,6 +16,9 @@ const WINDS = import.meta.glob(['../../public/winds/*.json', '!**/index.json', '
 const byId = <T>(modules: Modules<T>): Map<string, () => Promise<T>> =>
   new Map(Object.entries(modules).map(([path, load]) => [path.replace(/^.*\/|\.json$/g, ''), load]));
 
+/** A call, since bundlers take no spread for free of side effects. */
+const idsOf = (modules: ReadonlyMap<string, unknown>): string[] => [...modules.keys()];
+
 const species = /* @__PURE__ */ byId(SPECIES);
 const winds = /* @__PURE__ */ byId(WINDS);
 
@@ -43,8 +46,8 @@ async function copyOf<T>(load: () => Promise<T>, signal: AbortSignal | undefined
  * ```
  */
 export const shipped: ShippedSource = {
-  species: /* @__PURE__ */ [...species.keys()],
-  winds: /* @__PURE__ */ [...winds.keys()],
+  species: /* @__PURE__ */ idsOf(species),
+  winds: /* @__PURE__ */ idsOf(winds),
   async speciesOf(id, signal) {
     const load = species.get(id);
     if (!load) throw await unknownId('species', id, this.species);

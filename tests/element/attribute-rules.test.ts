@@ -103,7 +103,7 @@ describe('attributes with units', () => {
 
   test('a fault names the attribute, what stands there, cut short, and what may', () => {
     expect(attributeFault('wind-speed', '6 mph')).toBe(
-      'wind-speed="6 mph" is none: allowed is a speed from 0 to 60 m/s with its unit: "6m/s" or "20km/h".',
+      'wind-speed="6 mph" is not allowed: it may be a speed from 0 to 60 m/s with its unit: "6m/s" or "20km/h".',
     );
     expect(attributeFault('detail', 'x'.repeat(500)).length).toBeLessThan(150);
   });

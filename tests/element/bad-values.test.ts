@@ -17,8 +17,8 @@ it('puts back what was there, or what is usual, and names attribute, value and w
   const { element, told } = check({ seed: 'twelve', windSpeed: -1, season: 'winter' }, { seed: 4 });
   expect(element).toMatchObject({ seed: 4, windSpeed: null, season: 'winter' });
   expect(told).toEqual([
-    'attribute: seed="twelve" is none: allowed is a whole number from 0 to 4294967295.',
-    'attribute: wind-speed="-1" is none: allowed is a speed from 0 to 60 m/s with its unit: "6m/s" or "20km/h".',
+    'attribute: seed="twelve" is not allowed: it may be a whole number from 0 to 4294967295.',
+    'attribute: wind-speed="-1" is not allowed: it may be a speed from 0 to 60 m/s with its unit: "6m/s" or "20km/h".',
   ]);
 });
 
@@ -29,8 +29,8 @@ it('takes as species and wind only what looks like them: half of one would break
     const { element, told } = check({ windData: bad, speciesData: bad }, { windData: wind });
     expect(element).toMatchObject({ windData: wind, speciesData: null });
     expect(told).toEqual([
-      'species: speciesData is none: allowed is a species as `loadSpecies` gives it, or null.',
-      'wind: windData is none: allowed is a wind as `loadWind` gives it, or null.',
+      'species: speciesData is not allowed: it may be a species as `loadSpecies` gives it, or null.',
+      'wind: windData is not allowed: it may be a wind as `loadWind` gives it, or null.',
     ]);
   }
 });
