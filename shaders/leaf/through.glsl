@@ -1,5 +1,6 @@
 // How a leaf answers to light. Through it comes most where the sun stands on its other side, and more when one looks towards the sun.
 // Three's own answer for dielectrics without its table of what rough surfaces mirror: a crown is many leaves deep, and each of them is lit.
+#include /lib/gloss.glsl
 // LEAF_THROUGH: colour of what comes through, and how much of the light gets there.
 #ifndef LEAF_THROUGH
 #define LEAF_THROUGH (vLeafThrough * (leafClear * vLeaf.y))
@@ -14,7 +15,7 @@ void RE_Direct_Leaf(
   float facing = dot(geometryNormal, directLight.direction);
   vec3 irradiance = saturate(facing) * directLight.color;
   reflectedLight.directSpecular +=
-    irradiance * BRDF_GGX(directLight.direction, geometryViewDir, geometryNormal, material);
+    irradiance * gloss(directLight.direction, geometryViewDir, geometryNormal, material.roughness);
   reflectedLight.directDiffuse += irradiance * (LEAF_ENTERS * RECIPROCAL_PI) * material.diffuseColor;
   float behind = saturate(-facing);
   float towards = saturate(-dot(geometryViewDir, directLight.direction));

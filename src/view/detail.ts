@@ -149,7 +149,7 @@ const STEM_TRIANGLES: Record<Detail, number> = { auto: 50_000, high: 2_000_000, 
 const RELIEF_TRIANGLES: Record<Detail, number> = { auto: 70_000, high: 600_000, low: 20_000 };
 const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 200_000, high: 6_000_000, low: 100_000 };
 /** And those that are near, in their finest form. */
-const NEAR_TRIANGLES: Record<Detail, number> = { auto: 80_000, high: 4_000_000, low: 0 };
+const NEAR_TRIANGLES: Record<Detail, number> = { auto: 50_000, high: 4_000_000, low: 0 };
 
 /** Leaves that are drawn at most, by default. */
 export const LEAF_BUDGET: Record<Detail, number> = { auto: 40_000, high: 600_000, low: 30_000 };

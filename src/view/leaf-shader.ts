@@ -55,7 +55,7 @@ leafColours(here.own);
     { anchor: '#include <lights_physical_pars_fragment>', after: leafThrough },
     MIRRORS_NOTHING,
     // Crowns are deep, and a leaf some way off is smaller than the edge of its shadow.
-    oneLook('!defined(LEAF_LISTED)'),
+    oneLook('1'),
     {
       anchor: '#include <map_fragment>',
       after: `diffuseColor.rgb *= leafDiffuse(gl_FrontFacing);\n#pragma channel_diffuse`,

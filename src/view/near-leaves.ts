@@ -1,4 +1,4 @@
-import { type Camera, DataTexture, Matrix4, RedIntegerFormat, UnsignedIntType, Vector2, Vector3 } from 'three';
+import { type Camera, DataTexture, Matrix4, RedIntegerFormat, UnsignedIntType, Vector2, Vector3, Vector4 } from 'three';
 import { BUNDLE } from './branch-geometry.ts';
 
 /** Texels in a row of the list; shaders/leaf/vertex.glsl reads it by the same number. */
@@ -39,11 +39,17 @@ export class NearLeaves {
   #depth = 0;
   #count = 0;
   readonly #eye = new Vector3();
+  /** Ways of the camera in the space of the tree, unit vectors. */
   readonly #forward = new Vector3();
+  readonly #right = new Vector3();
+  readonly #up = new Vector3();
   readonly #view = new Matrix4();
   readonly #lastEye = new Vector3();
   readonly #lastForward = new Vector3();
-  readonly #sides = new Vector2();
+  readonly #lastUp = new Vector3();
+  /** Middle of the view and half its extent, across and up: slopes, or lengths where there is no perspective. */
+  readonly #sides = new Vector4();
+  readonly #lastSides = new Vector4();
 
   /** How many the list holds. */
   get count(): number {
@@ -53,27 +59,34 @@ export class NearLeaves {
   /** Finds them, unless those of last time do; returns the depth up to which they are: less than was wished where there were too many. */
   find(wish: NearWish, camera: Camera, matrixWorld: Matrix4): number {
     const { elements } = camera.projectionMatrix;
-    const [right, up] = [elements[0]!, elements[5]!];
+    const perspective = elements[15] !== 1;
+    const scale = matrixWorld.getMaxScaleOnAxis();
     this.#view.copy(matrixWorld).invert().multiply(camera.matrixWorld);
     this.#eye.setFromMatrixPosition(this.#view);
+    this.#right.setFromMatrixColumn(this.#view, 0).normalize();
+    this.#up.setFromMatrixColumn(this.#view, 1).normalize();
     this.#forward.setFromMatrixColumn(this.#view, 2).normalize().negate();
+    // A part of a larger picture has its middle aside.
+    const [x, y] = perspective ? [elements[8]!, elements[9]!] : [-elements[12]!, -elements[13]!];
+    this.#sides.set(x / elements[0]!, y / elements[5]!, 1 / elements[0]!, 1 / elements[5]!);
+    if (!perspective) this.#sides.divideScalar(scale);
     const last = this.#wish;
     const stays =
       last !== null &&
       last.points === wish.points &&
       last.count === wish.count &&
       (last.depth === wish.depth || Math.abs(last.depth - wish.depth) <= CHANGED * wish.depth) &&
-      this.#sides.x === right &&
-      this.#sides.y === up &&
+      this.#sides.equals(this.#lastSides) &&
       this.#eye.distanceTo(this.#lastEye) <= STRAY * wish.slack &&
-      this.#forward.dot(this.#lastForward) >= TURN;
+      this.#forward.dot(this.#lastForward) >= TURN &&
+      this.#up.dot(this.#lastUp) >= TURN;
     if (stays) return this.#depth;
     this.#wish = wish;
     this.#lastEye.copy(this.#eye);
     this.#lastForward.copy(this.#forward);
-    this.#sides.set(right, up);
-    const scale = matrixWorld.getMaxScaleOnAxis();
-    const found = this.#within(wish, wish.depth / scale, Math.hypot(1 / right, 1 / up), elements[15] !== 1);
+    this.#lastUp.copy(this.#up);
+    this.#lastSides.copy(this.#sides);
+    const found = this.#within(wish, wish.depth / scale, perspective);
     this.#depth = found.length > wish.most ? scale * this.#keepNearest(found, wish) : wish.depth;
     this.#store(found);
     return this.#depth;
@@ -86,20 +99,30 @@ export class NearLeaves {
     this.#count = 0;
   }
 
-  /** Places of the leaves that may be seen up to a depth, in the space of the tree, wherever the wind has them; `half`: slope, or place, of the view's corners. */
-  #within({ points, count, slack }: NearWish, depth: number, half: number, perspective: boolean): number[] {
+  /** Places of the leaves that may be seen up to a depth, in the space of the tree, wherever the wind has them. */
+  #within({ points, count, slack }: NearWish, depth: number, perspective: boolean): number[] {
     const found: number[] = [];
     const room = roomOf(slack);
     const farthest = (1 + DEEPER) * depth + room;
     const { x, y, z } = this.#eye;
+    const { x: rx, y: ry, z: rz } = this.#right;
+    const { x: ux, y: uy, z: uz } = this.#up;
+    const { x: middleX, y: middleY, z: halfX, w: halfY } = this.#sides;
+    const wider = perspective ? WIDER : 0;
+    // The sides of the view are aslant: a ball touches them from farther off than its radius.
+    const besideX = room * (perspective ? Math.hypot(1, Math.abs(middleX) + halfX + wider) : 1);
+    const besideY = room * (perspective ? Math.hypot(1, Math.abs(middleY) + halfY + wider) : 1);
     for (let i = 0; i < count; i++) {
       const along = this.#along(points, i);
       if (along > farthest || along < -room) continue;
       const dx = points[3 * i]! - x;
       const dy = points[3 * i + 1]! - y;
       const dz = points[3 * i + 2]! - z;
-      const reach = room + (perspective ? Math.max(0, along) * (half + WIDER) : half);
-      if (dx * dx + dy * dy + dz * dz - along * along <= reach * reach) found.push(i);
+      const far = perspective ? Math.max(0, along) : 1;
+      const across = dx * rx + dy * ry + dz * rz - far * middleX;
+      const over = dx * ux + dy * uy + dz * uz - far * middleY;
+      if (Math.abs(across) > besideX + far * (halfX + wider)) continue;
+      if (Math.abs(over) <= besideY + far * (halfY + wider)) found.push(i);
     }
     return found;
   }

@@ -67,6 +67,26 @@ describe('leaves near by', () => {
     expect(listed(near)).toEqual([0, 1]);
   });
 
+  it('are those within the sides of the view, of a part of a larger picture too, and found again where the camera rolls', () => {
+    const wide = camera();
+    wide.aspect = 4;
+    wide.updateProjectionMatrix();
+    // 4 m off: 3 m above, which only a tall picture shows, and 3 m to the right.
+    const around: NearWish = { ...wish, points: Float32Array.of(0, 4, 3, 3, 4, 0), count: 2, slack: 0.1 };
+    const near = new NearLeaves();
+    near.find(around, wide, new Matrix4());
+    expect(listed(near)).toEqual([1]);
+    wide.up.set(1, 0, 0);
+    wide.lookAt(new Vector3(0, 1, 0));
+    wide.updateMatrixWorld();
+    near.find(around, wide, new Matrix4());
+    expect(listed(near)).toEqual([0]);
+    const part = camera();
+    part.setViewOffset(100, 100, 140, 0, 100, 100);
+    near.find(around, part, new Matrix4());
+    expect(listed(near)).toEqual([1]);
+  });
+
   it('stay listed while a camera without perspective stands, which sees them at any depth', () => {
     const eye = new OrthographicCamera(-2, 2, 2, -2, 0.1, 100);
     eye.up.set(0, 0, 1);
