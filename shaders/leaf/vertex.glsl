@@ -22,7 +22,7 @@ uniform float leafHang;
 // Direction towards which it blows at the tree, tree axes; shorter than 1 where it hardly does.
 uniform vec2 leafWind;
 #ifdef LEAF_LISTED
-// Places of the leaves to draw, 256 a row (src/view/near-leaves.ts).
+// Places of the leaves to draw, 256 a row (src/view/listed-leaves.ts).
 uniform highp usampler2D leafPlaces;
 #endif
 #ifdef LEAF_CUT

@@ -1,9 +1,9 @@
-import { type Box3, type Camera, type Object3D, Vector2 } from 'three';
+import { type Box3, type Camera, type IUniform, type MeshStandardMaterial, type Object3D, Vector2 } from 'three';
 import type { LeafGrain, LeafMesh } from '../core/look/leaf-mesh.ts';
 import { BUNDLE, bundleFor, type LeafShadow, leafGeometry, recount } from './branch-geometry.ts';
 import type { channelUniforms } from './channel-look.ts';
 import { leafGrain, leafGrowth, leavesCasting, leavesDrawn, nearDepth, nearMost } from './detail.ts';
-import { NearLeaves } from './near-leaves.ts';
+import { ListedLeaves, type ListWish } from './listed-leaves.ts';
 import type { TreeKit } from './tree-kit.ts';
 import { disposeMaterials, dress, leafMaterials, type MaterialSet } from './tree-materials.ts';
 import type { Shown, TreeMesh } from './tree-parts.ts';
@@ -42,6 +42,12 @@ export interface LeafLike {
   readonly points: () => Float32Array;
 }
 
+/** The leaves that are drawn, as both lists look for them, and the height of the tree that they hang on, metres. */
+type Hung = Omit<ListWish, 'points' | 'depth' | 'most'> & { readonly height: number };
+
+/** How many times as high as the picture a tree is of which only what is seen is drawn. */
+const PART = 1.25;
+
 /** Depth beyond everything. */
 const BEYOND = 1e9;
 
@@ -49,7 +55,9 @@ const BEYOND = 1e9;
 class LeafDraw {
   readonly mesh: TreeMesh;
   readonly leafCut = { value: new Vector2(-BEYOND, BEYOND) };
-  set: MaterialSet | null = null;
+  /** The places that it draws where it does not draw all. */
+  readonly list = new ListedLeaves();
+  readonly #sets: { all?: MaterialSet; listed?: MaterialSet } = {};
 
   constructor(mesh: TreeMesh) {
     this.mesh = mesh;
@@ -69,13 +77,30 @@ class LeafDraw {
     this.mesh.geometry.userData.made = made;
   }
 
+  /** Draws with materials that `make` makes when they are first needed: `listed`, those of the list alone. */
+  dress(listed: boolean, make: (defines: readonly string[], uniforms: Record<string, IUniform>) => MaterialSet): void {
+    const kind = listed ? 'listed' : 'all';
+    this.#sets[kind] ??= make(listed ? ['LEAF_LISTED'] : [], {
+      ...(listed ? this.list.uniforms : {}),
+      leafCut: this.leafCut,
+    });
+    dress(this.mesh, this.#sets[kind]);
+  }
+
+  /** Changes what it draws with. */
+  restyle(change: (material: MeshStandardMaterial) => void): void {
+    for (const { standard } of Object.values(this.#sets)) change(standard);
+  }
+
   dropMaterials(): void {
-    if (this.set) disposeMaterials(this.set);
-    this.set = null;
+    for (const set of Object.values(this.#sets)) disposeMaterials(set);
+    this.#sets.all = undefined;
+    this.#sets.listed = undefined;
   }
 
   dispose(): void {
     this.mesh.geometry.dispose();
+    this.list.dispose();
     this.dropMaterials();
   }
 }
@@ -98,7 +123,6 @@ export class LeafLayer {
   #thing: LeafLike | null = null;
   /** Where its leaves hang, once that was asked for. */
   #points: Float32Array | null = null;
-  readonly #list = new NearLeaves();
   /** How many the far mesh's geometry has, 0 for none, and how finely it draws each. */
   #drawn = 0;
   #casting = 0;
@@ -131,7 +155,10 @@ export class LeafLayer {
     this.#thing = thing;
     this.#points = null;
     this.#drawn = 0;
-    for (const draw of [this.#far, this.#near]) if (draw?.set) draw.set.standard.roughness = thing.roughness;
+    const restyle = (material: MeshStandardMaterial): void => {
+      material.roughness = thing.roughness;
+    };
+    for (const draw of [this.#far, this.#near]) draw?.restyle(restyle);
   }
 
   /** Chooses what is drawn for this camera. `box`: bounds of the tree in any wind. */
@@ -145,7 +172,10 @@ export class LeafLayer {
   }
 
   setWireframe(wireframe: boolean): void {
-    for (const draw of [this.#far, this.#near]) if (draw?.set) draw.set.standard.wireframe = wireframe;
+    const restyle = (material: MeshStandardMaterial): void => {
+      material.wireframe = wireframe;
+    };
+    for (const draw of [this.#far, this.#near]) draw?.restyle(restyle);
   }
 
   /** Their programs are others: what is drawn next makes them anew. */
@@ -158,7 +188,6 @@ export class LeafLayer {
   dispose(): void {
     this.#far?.dispose();
     this.#near?.dispose();
-    this.#list.dispose();
     this.#far = null;
     this.#near = null;
   }
@@ -187,15 +216,45 @@ export class LeafLayer {
       this.#casting = casting;
       this.#grain = grain;
     }
-    this.#dress(this.#far, 'far', thing);
-    const depth = this.#findNear(thing, growY, camera, scale, count, box);
+    const hung = this.#hung(count, growY * thing.length, box);
+    this.#drawSeen(this.#far, hung, camera, scale, bundle, box);
+    const depth = this.#findNear(thing, hung, growY, camera, scale);
     this.#far.leafCut.value.x = depth > 0 ? depth : -BEYOND;
     if (depth > 0) this.#drawNear(thing, depth, box);
     else if (this.#near) this.#near.mesh.visible = false;
   }
 
+  /** Where the first `count` leaves hang, which are `length` metres long, and how far from there they may be seen. */
+  #hung(count: number, length: number, box: Box3): Hung {
+    const height = box.max.z - box.min.z;
+    // The wind's part as windBox has it; the leaf's as leafShown of shaders/leaf/vertex.glsl.
+    return { count, height, slack: 0.1 * height, reach: 1.6 * length };
+  }
+
+  get #places(): Float32Array {
+    this.#points ??= (this.#thing as LeafLike).points();
+    return this.#points;
+  }
+
+  /** Of a tree that the picture shows a part of only what may be seen is drawn: the rest would cost as much. */
+  #drawSeen(far: LeafDraw, hung: Hung, camera: Camera, nearest: number, bundle: number, box: Box3): void {
+    const { pictureHeight, treeCount, matrixWorld } = this.#host;
+    const { geometry } = far.mesh;
+    const { list } = far;
+    const inPart = treeCount === 1 && hung.height * nearest > PART * pictureHeight;
+    let many = hung.count;
+    if (inPart) {
+      const any = Number.POSITIVE_INFINITY;
+      list.find({ ...hung, points: this.#places, depth: any, most: any }, camera, matrixWorld);
+      list.uniforms.leafRange.value.y = bundle;
+      many = Math.max(1, list.count);
+    }
+    if (geometry.userData.count !== many) recount(geometry, many, bundle, box, this.#casting);
+    this.#dress(far, 'far', inPart);
+  }
+
   /** Finds the leaves that are seen near by; returns the depth up to which they are, 0 where none is. */
-  #findNear(thing: LeafLike, growth: number, camera: Camera, nearest: number, count: number, box: Box3): number {
+  #findNear(thing: LeafLike, hung: Hung, growth: number, camera: Camera, nearest: number): number {
     const { shown, pictureHeight, matrixWorld } = this.#host;
     const { elements } = camera.projectionMatrix;
     // Where there are too many to draw all of them as finely as they should be, those that are near begin farther away.
@@ -210,45 +269,38 @@ export class LeafLayer {
       scale: elements[5]! * pictureHeight * 0.5,
       perspective: elements[15] !== 1,
     };
-    this.#points ??= thing.points();
-    const wish = {
-      points: this.#points,
-      count,
-      depth: nearDepth(seen, shown.detail),
-      slack: 0.1 * (box.max.z - box.min.z), // as windBox has it
-      most: nearMost(leaf.triangles, shown.detail),
-    };
-    const depth = this.#list.find(wish, camera, matrixWorld);
-    return this.#list.count > 0 ? depth : 0;
+    const depth = nearDepth(seen, shown.detail);
+    const most = nearMost(leaf.triangles, shown.detail);
+    this.#near ??= this.#draw('near');
+    const { list } = this.#near;
+    const found = list.find({ ...hung, points: this.#places, depth, most }, camera, matrixWorld);
+    return list.count > 0 ? found : 0;
   }
 
   #drawNear(thing: LeafLike, depth: number, box: Box3): void {
-    this.#near ??= this.#draw('near');
-    const { mesh, leafCut } = this.#near;
-    const { count } = this.#list;
+    const near = this.#near as LeafDraw;
+    const { mesh, leafCut, list } = near;
     const made = `${thing.key} near`;
-    if (mesh.geometry.userData.made !== made || mesh.geometry.userData.count !== count)
-      this.#near.draw(made, () => thing.mesh('near', BUNDLE), count, BUNDLE, box, null);
+    if (mesh.geometry.userData.made !== made || mesh.geometry.userData.count !== list.count)
+      near.draw(made, () => thing.mesh('near', BUNDLE), list.count, BUNDLE, box, null);
     leafCut.value.y = depth;
     mesh.visible = true;
     mesh.castShadow = false; // the far mesh casts for all
-    this.#dress(this.#near, 'near', thing);
+    this.#dress(near, 'near', true);
   }
 
   #draw(kind: 'near' | 'far'): LeafDraw {
     return new LeafDraw(this.#host.newMesh(kind === 'near' ? `${this.#name} near by` : this.#name));
   }
 
-  #dress(draw: LeafDraw, kind: 'near' | 'far', { roughness }: LeafLike): void {
-    if (draw.set) return;
-    const { shared, channelLook, shown } = this.#host;
-    const listed = kind === 'near' ? ['LEAF_LISTED'] : [];
-    const defines = ['LEAF_CUT', ...listed, ...this.#defines[kind], ...this.#host.viewDefines()];
-    const own = kind === 'near' ? this.#list.uniforms : {};
-    const uniforms = { ...shared, ...channelLook, ...this.#look, ...own, leafCut: draw.leafCut };
-    draw.set = leafMaterials(defines, uniforms, this.#cast);
-    draw.set.standard.roughness = roughness;
-    draw.set.standard.wireframe = shown.mode === 'wireframe';
-    dress(draw.mesh, draw.set);
+  #dress(draw: LeafDraw, kind: 'near' | 'far', listed: boolean): void {
+    draw.dress(listed, (defines, uniforms) => {
+      const { shared, channelLook, shown } = this.#host;
+      const all = ['LEAF_CUT', ...defines, ...this.#defines[kind], ...this.#host.viewDefines()];
+      const set = leafMaterials(all, { ...shared, ...channelLook, ...this.#look, ...uniforms }, this.#cast);
+      set.standard.roughness = (this.#thing as LeafLike).roughness;
+      set.standard.wireframe = shown.mode === 'wireframe';
+      return set;
+    });
   }
 }

@@ -36,7 +36,7 @@ export function branchMaterials(defines: readonly string[], uniforms: Record<str
   return { standard, depth, distance };
 }
 
-/** Materials for leaves and organs. `defines`: LEAF_VEINS, LEAF_ORGAN. `cast`: uniforms that are others in shadow maps. */
+/** Materials for leaves and organs. `defines`: LEAF_VEINS, LEAF_ORGAN, LEAF_LISTED (in the picture alone). `cast`: uniforms that are others in shadow maps. */
 export function leafMaterials(
   defines: readonly string[],
   uniforms: Record<string, IUniform>,
@@ -47,7 +47,9 @@ export function leafMaterials(
   const depth = new MeshDepthMaterial({ side: DoubleSide });
   const distance = new MeshDistanceMaterial({ side: DoubleSide });
   for (const material of [standard, depth, distance]) {
-    material.defines = { ...material.defines, ...Object.fromEntries(defines.map((name) => [name, ''])) };
+    // What the eye does not see casts shadows all the same.
+    const own = material === standard ? defines : defines.filter((name) => name !== 'LEAF_LISTED');
+    material.defines = { ...material.defines, ...Object.fromEntries(own.map((name) => [name, ''])) };
     if (material === standard) inject(material, key, LEAF_STANDARD, uniforms);
     else inject(material, key, LEAF_DEPTH, { ...uniforms, ...cast });
   }

@@ -1,10 +1,10 @@
 import { Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { NearLeaves, type NearWish } from '../../src/view/near-leaves.ts';
+import { ListedLeaves, type ListWish } from '../../src/view/listed-leaves.ts';
 
 /** A leaf each half metre along y, from 0 to 50 m. */
 const points = Float32Array.from({ length: 300 }, (_, i) => (i % 3 === 1 ? Math.floor(i / 3) / 2 : 0));
-const wish: NearWish = { points, count: 100, depth: 5, slack: 1, most: 100 };
+const wish: ListWish = { points, count: 100, depth: 5, slack: 1, reach: 0, most: 100 };
 
 /** At the origin, looking along y as a tree has it. */
 function camera(y = 0): PerspectiveCamera {
@@ -16,12 +16,12 @@ function camera(y = 0): PerspectiveCamera {
   return eye;
 }
 
-const listed = ({ uniforms, count }: NearLeaves): number[] =>
+const listed = ({ uniforms, count }: ListedLeaves): number[] =>
   Array.from(uniforms.leafPlaces.value!.image.data as Uint32Array).slice(0, count);
 
-describe('leaves near by', () => {
+describe('listed leaves', () => {
   it('are all that are within the depth wherever the wind has them, and none that is far beyond', () => {
-    const near = new NearLeaves();
+    const near = new ListedLeaves();
     expect(near.find(wish, camera(), new Matrix4())).toBe(5);
     const found = listed(near);
     // 5 m and the metre that each may have been moved by.
@@ -31,7 +31,7 @@ describe('leaves near by', () => {
   });
 
   it('are found again where the camera has gone on, and not for a step', () => {
-    const near = new NearLeaves();
+    const near = new ListedLeaves();
     near.find(wish, camera(), new Matrix4());
     near.find(wish, camera(0.2), new Matrix4());
     expect(listed(near)).toContain(0);
@@ -41,7 +41,7 @@ describe('leaves near by', () => {
   });
 
   it('are those up to a lesser depth where there would be too many', () => {
-    const near = new NearLeaves();
+    const near = new ListedLeaves();
     const depth = near.find({ ...wish, depth: 40, slack: 0.1, most: 20 }, camera(), new Matrix4());
     expect(near.count).toBeLessThanOrEqual(20);
     expect(near.count).toBeGreaterThan(8);
@@ -50,14 +50,14 @@ describe('leaves near by', () => {
   });
 
   it('are measured in the space of a tree that is scaled', () => {
-    const near = new NearLeaves();
+    const near = new ListedLeaves();
     near.find(wish, camera(), new Matrix4().makeScale(2, 2, 2));
     expect(Math.max(...listed(near))).toBeLessThan(10);
   });
 
   it('are found again where the view becomes wider', () => {
-    const beside: NearWish = { ...wish, points: Float32Array.of(0, 3, 0, 4, 3, 0), count: 2, slack: 0.1 };
-    const near = new NearLeaves();
+    const beside: ListWish = { ...wish, points: Float32Array.of(0, 3, 0, 4, 3, 0), count: 2, slack: 0.1 };
+    const near = new ListedLeaves();
     near.find(beside, camera(), new Matrix4());
     expect(listed(near)).toEqual([0]);
     const wide = camera();
@@ -72,8 +72,8 @@ describe('leaves near by', () => {
     wide.aspect = 4;
     wide.updateProjectionMatrix();
     // 4 m off: 3 m above, which only a tall picture shows, and 3 m to the right.
-    const around: NearWish = { ...wish, points: Float32Array.of(0, 4, 3, 3, 4, 0), count: 2, slack: 0.1 };
-    const near = new NearLeaves();
+    const around: ListWish = { ...wish, points: Float32Array.of(0, 4, 3, 3, 4, 0), count: 2, slack: 0.1 };
+    const near = new ListedLeaves();
     near.find(around, wide, new Matrix4());
     expect(listed(near)).toEqual([1]);
     wide.up.set(1, 0, 0);
@@ -92,7 +92,7 @@ describe('leaves near by', () => {
     eye.up.set(0, 0, 1);
     eye.lookAt(new Vector3(0, 1, 0));
     eye.updateMatrixWorld();
-    const near = new NearLeaves();
+    const near = new ListedLeaves();
     const any = { ...wish, depth: Number.POSITIVE_INFINITY };
     expect(near.find(any, eye, new Matrix4())).toBe(Number.POSITIVE_INFINITY);
     expect(near.count).toBe(100);
@@ -103,7 +103,7 @@ describe('leaves near by', () => {
   });
 
   it.each([0, 3])('are none where more than the %i that may be hang within the room that wind takes', (most) => {
-    const near = new NearLeaves();
+    const near = new ListedLeaves();
     expect(near.find({ ...wish, slack: 20, most }, camera(), new Matrix4())).toBe(0);
     expect(near.count).toBe(0);
   });

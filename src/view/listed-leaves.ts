@@ -5,11 +5,14 @@ import { BUNDLE } from './branch-geometry.ts';
 const ROW = 256;
 
 /** Part of the room that leaves have to move in that a camera may go before the list is made anew. */
-const STRAY = 0.25;
-/** Cosine of the angle that it may turn, and what that adds to the slope of the sides of its view and to the depth. */
-const TURN = Math.cos((2.5 * Math.PI) / 180);
-const WIDER = 0.1;
+const STRAY = 0.1;
+/** Radians that it may turn, and what that may add to the depth, as a part of it. */
+const TURN = Math.PI / 180;
+const TURNED = Math.cos(TURN);
 const DEEPER = 0.06;
+/** What such a turn, and as much of a roll, adds to the slope of a side of the view. */
+const widerBy = (slope: number): number => TURN * (1 + slope + slope * slope);
+
 /** Part of the depth that may have changed. */
 const CHANGED = 0.02;
 
@@ -17,25 +20,27 @@ const CHANGED = 0.02;
 const roomOf = (slack: number): number => (1 + 2 * STRAY) * slack;
 
 /** What is to be found. */
-export interface NearWish {
+export interface ListWish {
   /** Feet of the leaves at rest, 3 a leaf, in the space of the tree; the first `count` of them hang there. */
   readonly points: Float32Array;
   readonly count: number;
-  /** Depth up to which a leaf is near, in the camera's space. */
+  /** Depth up to which leaves are listed, in the camera's space. */
   readonly depth: number;
   /** Metres that wind may move a leaf. */
   readonly slack: number;
-  /** How many may be near at most. */
+  /** Metres from the foot of a leaf to its tip at most. */
+  readonly reach: number;
+  /** How many may be listed at most. */
   readonly most: number;
 }
 
-/** The places of the leaves that a camera may see near by, as a list for the mesh that draws them finely. */
-export class NearLeaves {
+/** The places of the leaves that a camera may see, up to a depth, as a list for a mesh that draws no others. */
+export class ListedLeaves {
   readonly uniforms = {
     leafPlaces: { value: null as DataTexture | null },
     leafRange: { value: new Vector2(0, BUNDLE) },
   };
-  #wish: NearWish | null = null;
+  #wish: ListWish | null = null;
   #depth = 0;
   #count = 0;
   readonly #eye = new Vector3();
@@ -57,7 +62,7 @@ export class NearLeaves {
   }
 
   /** Finds them, unless those of last time do; returns the depth up to which they are: less than was wished where there were too many. */
-  find(wish: NearWish, camera: Camera, matrixWorld: Matrix4): number {
+  find(wish: ListWish, camera: Camera, matrixWorld: Matrix4): number {
     const { elements } = camera.projectionMatrix;
     const perspective = elements[15] !== 1;
     const scale = matrixWorld.getMaxScaleOnAxis();
@@ -78,8 +83,8 @@ export class NearLeaves {
       (last.depth === wish.depth || Math.abs(last.depth - wish.depth) <= CHANGED * wish.depth) &&
       this.#sides.equals(this.#lastSides) &&
       this.#eye.distanceTo(this.#lastEye) <= STRAY * wish.slack &&
-      this.#forward.dot(this.#lastForward) >= TURN &&
-      this.#up.dot(this.#lastUp) >= TURN;
+      this.#forward.dot(this.#lastForward) >= TURNED &&
+      this.#up.dot(this.#lastUp) >= TURNED;
     if (stays) return this.#depth;
     this.#wish = wish;
     this.#lastEye.copy(this.#eye);
@@ -100,18 +105,19 @@ export class NearLeaves {
   }
 
   /** Places of the leaves that may be seen up to a depth, in the space of the tree, wherever the wind has them. */
-  #within({ points, count, slack }: NearWish, depth: number, perspective: boolean): number[] {
+  #within({ points, count, slack, reach }: ListWish, depth: number, perspective: boolean): number[] {
     const found: number[] = [];
-    const room = roomOf(slack);
+    const room = roomOf(slack) + reach;
     const farthest = (1 + DEEPER) * depth + room;
     const { x, y, z } = this.#eye;
     const { x: rx, y: ry, z: rz } = this.#right;
     const { x: ux, y: uy, z: uz } = this.#up;
     const { x: middleX, y: middleY, z: halfX, w: halfY } = this.#sides;
-    const wider = perspective ? WIDER : 0;
+    const sideX = halfX + (perspective ? widerBy(Math.abs(middleX) + halfX) : 0);
+    const sideY = halfY + (perspective ? widerBy(Math.abs(middleY) + halfY) : 0);
     // The sides of the view are aslant: a ball touches them from farther off than its radius.
-    const besideX = room * (perspective ? Math.hypot(1, Math.abs(middleX) + halfX + wider) : 1);
-    const besideY = room * (perspective ? Math.hypot(1, Math.abs(middleY) + halfY + wider) : 1);
+    const besideX = room * (perspective ? Math.hypot(1, Math.abs(middleX) + sideX) : 1);
+    const besideY = room * (perspective ? Math.hypot(1, Math.abs(middleY) + sideY) : 1);
     for (let i = 0; i < count; i++) {
       const along = this.#along(points, i);
       if (along > farthest || along < -room) continue;
@@ -121,16 +127,16 @@ export class NearLeaves {
       const far = perspective ? Math.max(0, along) : 1;
       const across = dx * rx + dy * ry + dz * rz - far * middleX;
       const over = dx * ux + dy * uy + dz * uz - far * middleY;
-      if (Math.abs(across) > besideX + far * (halfX + wider)) continue;
-      if (Math.abs(over) <= besideY + far * (halfY + wider)) found.push(i);
+      if (Math.abs(across) > besideX + far * sideX) continue;
+      if (Math.abs(over) <= besideY + far * sideY) found.push(i);
     }
     return found;
   }
 
   /** Leaves out what is farthest; returns the depth up to which all are left, in the space of the tree: 0 where that is none. */
-  #keepNearest(found: number[], { points, most, slack }: NearWish): number {
+  #keepNearest(found: number[], { points, most, slack, reach }: ListWish): number {
     found.sort((i, j) => this.#along(points, i) - this.#along(points, j));
-    const depth = (this.#along(points, found[most]!) - roomOf(slack)) / (1 + DEEPER);
+    const depth = (this.#along(points, found[most]!) - roomOf(slack) - reach) / (1 + DEEPER);
     found.length = depth > 0 ? most : 0;
     return Math.max(0, depth);
   }
@@ -152,7 +158,7 @@ export class NearLeaves {
       const size = 2 ** Math.ceil(Math.log2(rows));
       const texture = new DataTexture(new Uint32Array(ROW * size), ROW, size, RedIntegerFormat, UnsignedIntType);
       texture.internalFormat = 'R32UI';
-      texture.name = 'leaves near by';
+      texture.name = 'listed leaves';
       leafPlaces.value = texture;
     }
     (leafPlaces.value.image.data as Uint32Array).set(places);
