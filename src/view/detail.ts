@@ -33,6 +33,9 @@ const BANDS: readonly (readonly [near: number, far: number])[] = [
   [4, 2],
 ];
 
+/** Radius in pixels below which a trunk has no more bands than a branch. */
+const SLIGHT = 8;
+
 /**
  * The grid for a level of `pieces` pieces whose stems are `radius` pixels thick on screen.
  *
@@ -68,7 +71,9 @@ function reliefGrid(pixels: number, slenderness: number, triangles: number): Gri
 }
 
 function gridFor(level: number, pixels: number): GridDetail {
-  const bands = BANDS[Math.min(level, BANDS.length - 1)] as readonly [number, number];
+  // The flare of a trunk that is as thin as a branch is a pixel or two: bushes have many of those.
+  const as = level === 0 && pixels < SLIGHT ? 1 : level;
+  const bands = BANDS[Math.min(as, BANDS.length - 1)] as readonly [number, number];
   const step = SECTORS.find(([least]) => pixels >= least);
   // A trunk stays round: its lobes and its shadow show even where it is thin.
   const sectors = step ? step[1] : level === 0 ? 6 : 1;

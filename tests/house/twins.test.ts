@@ -53,6 +53,7 @@ function fault({ file, name, doc, twin }: GlslFunction): string | undefined {
 
 /** Functions that draw rather than compute: three's own hooks and what only they call, which pictures judge. */
 const drawing = new Set([
+  'gloss',
   'RE_Direct_Leaf',
   'RE_IndirectDiffuse_Leaf',
   'RE_Direct_Far',
@@ -61,6 +62,7 @@ const drawing = new Set([
   'farCatch',
   'farWay',
   'terrainShadow',
+  'terrainNormal',
   'crownLaid',
   'laidColour',
 ]);

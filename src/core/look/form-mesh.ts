@@ -109,9 +109,8 @@ function addPetiole(out: MeshBuilder, petiole: number, stalk = 0.05): void {
   out.index.push(first, first + 2, first + 1);
 }
 
-/** From afar, or where it is short, a petiole is not drawn. */
-const hasPetiole = (petiole: number, grain: LeafGrain): boolean =>
-  grain === 'near' ? petiole > 0 : grain === 'middle' && petiole > 0.15;
+/** A petiole is drawn near by alone: farther off it is a fraction of a pixel wide, and a third of the leaf's vertices. */
+const hasPetiole = (petiole: number, grain: LeafGrain): boolean => grain === 'near' && petiole > 0;
 
 /** Size of a leaf whose form is given. */
 type FormSize = Pick<LeafSpec, 'width' | 'petiole'>;
