@@ -42,8 +42,10 @@ export interface LeafLike {
   readonly points: () => Float32Array;
 }
 
-/** The leaves that are drawn, as both lists look for them, and the height of the tree that they hang on, metres. */
-type Hung = Omit<ListWish, 'points' | 'depth' | 'most'> & { readonly height: number };
+/** The leaves that are drawn, as both lists look for them. */
+type Hung = Pick<ListWish, 'count' | 'slack' | 'reach'>;
+/** Which of them are to be drawn finely. */
+type Finely = Pick<ListWish, 'depth' | 'most'>;
 
 /** How many times as high as the picture a tree is of which only what is seen is drawn. */
 const PART = 1.25;
@@ -216,19 +218,32 @@ export class LeafLayer {
       this.#casting = casting;
       this.#grain = grain;
     }
-    const hung = this.#hung(count, growY * thing.length, box);
-    this.#drawSeen(this.#far, hung, camera, scale, bundle, box);
-    const depth = this.#findNear(thing, hung, growY, camera, scale);
-    this.#far.leafCut.value.x = depth > 0 ? depth : -BEYOND;
-    if (depth > 0) this.#drawNear(thing, depth, box);
+    const finely = this.#finely(thing, growY, camera, scale);
+    const height = box.max.z - box.min.z;
+    const wish = {
+      count,
+      // The wind's part as windBox has it; the leaf's as leafShown of shaders/leaf/vertex.glsl.
+      slack: 0.1 * height,
+      reach: 1.6 * growY * thing.length,
+    };
+    // Of a tree that the picture shows a part of, only what may be seen is drawn: the rest would cost as much.
+    const inPart = treeCount === 1 && (finely !== null || height * scale > PART * this.#host.pictureHeight);
+    const far = this.#far;
+    const near = finely && this.#nearDraw;
+    far.leafCut.value.x = -BEYOND;
+    if (inPart) this.#listSeen(far, near, finely, wish, camera);
+    else if (finely && near) far.leafCut.value.x = this.#listNear(near, finely, wish, camera);
+    far.list.uniforms.leafRange.value.y = bundle;
+    const many = inPart ? Math.max(1, far.list.count) : count;
+    if (far.mesh.geometry.userData.count !== many) recount(far.mesh.geometry, many, bundle, box, casting);
+    this.#dress(far, 'far', inPart);
+    if (near && near.list.count > 0) this.#drawNear(near, thing, box);
     else if (this.#near) this.#near.mesh.visible = false;
   }
 
-  /** Where the first `count` leaves hang, which are `length` metres long, and how far from there they may be seen. */
-  #hung(count: number, length: number, box: Box3): Hung {
-    const height = box.max.z - box.min.z;
-    // The wind's part as windBox has it; the leaf's as leafShown of shaders/leaf/vertex.glsl.
-    return { count, height, slack: 0.1 * height, reach: 1.6 * length };
+  get #nearDraw(): LeafDraw {
+    this.#near ??= this.#draw('near');
+    return this.#near;
   }
 
   get #places(): Float32Array {
@@ -236,25 +251,23 @@ export class LeafLayer {
     return this.#points;
   }
 
-  /** Of a tree that the picture shows a part of only what may be seen is drawn: the rest would cost as much. */
-  #drawSeen(far: LeafDraw, hung: Hung, camera: Camera, nearest: number, bundle: number, box: Box3): void {
-    const { pictureHeight, treeCount, matrixWorld } = this.#host;
-    const { geometry } = far.mesh;
-    const { list } = far;
-    const inPart = treeCount === 1 && hung.height * nearest > PART * pictureHeight;
-    let many = hung.count;
-    if (inPart) {
-      const any = Number.POSITIVE_INFINITY;
-      list.find({ ...hung, points: this.#places, depth: any, most: any }, camera, matrixWorld);
-      list.uniforms.leafRange.value.y = bundle;
-      many = Math.max(1, list.count);
-    }
-    if (geometry.userData.count !== many) recount(geometry, many, bundle, box, this.#casting);
-    this.#dress(far, 'far', inPart);
+  /** Shares out what may be seen: near by what is to be drawn finely, far all else. */
+  #listSeen(far: LeafDraw, near: LeafDraw | null, finely: Finely | null, wish: Hung, camera: Camera): void {
+    const any = Number.POSITIVE_INFINITY;
+    const nearer = near && finely ? { nearer: { ...finely, list: near.list } } : {};
+    far.list.find({ ...wish, points: this.#places, depth: any, most: any, ...nearer }, camera, this.#host.matrixWorld);
+    if (near) near.leafCut.value.y = BEYOND;
   }
 
-  /** Finds the leaves that are seen near by; returns the depth up to which they are, 0 where none is. */
-  #findNear(thing: LeafLike, hung: Hung, growth: number, camera: Camera, nearest: number): number {
+  /** Lists what is near in a grove, whose other leaves are too many to list; returns the depth from which on the far mesh draws. */
+  #listNear(near: LeafDraw, finely: Finely, wish: Hung, camera: Camera): number {
+    const depth = near.list.find({ ...wish, points: this.#places, ...finely }, camera, this.#host.matrixWorld);
+    near.leafCut.value.y = depth;
+    return near.list.count > 0 ? depth : -BEYOND;
+  }
+
+  /** Up to which depth leaves are to be drawn finely, and how many; null where none is. */
+  #finely(thing: LeafLike, growth: number, camera: Camera, nearest: number): Finely | null {
     const { shown, pictureHeight, matrixWorld } = this.#host;
     const { elements } = camera.projectionMatrix;
     // Where there are too many to draw all of them as finely as they should be, those that are near begin farther away.
@@ -262,28 +275,21 @@ export class LeafLayer {
     const farther = fine === this.#grain ? 1 : 2;
     const leaf = { length: farther * thing.length * growth, triangles: thing.triangles.near };
     // Mostly no leaf is near, and none is looked for.
-    if (nearDepth({ ...leaf, scale: nearest, perspective: false }, shown.detail) === 0) return 0;
+    if (nearDepth({ ...leaf, scale: nearest, perspective: false }, shown.detail) === 0) return null;
     const seen = {
       triangles: leaf.triangles,
       length: leaf.length * matrixWorld.getMaxScaleOnAxis(),
       scale: elements[5]! * pictureHeight * 0.5,
       perspective: elements[15] !== 1,
     };
-    const depth = nearDepth(seen, shown.detail);
-    const most = nearMost(leaf.triangles, shown.detail);
-    this.#near ??= this.#draw('near');
-    const { list } = this.#near;
-    const found = list.find({ ...hung, points: this.#places, depth, most }, camera, matrixWorld);
-    return list.count > 0 ? found : 0;
+    return { depth: nearDepth(seen, shown.detail), most: nearMost(leaf.triangles, shown.detail) };
   }
 
-  #drawNear(thing: LeafLike, depth: number, box: Box3): void {
-    const near = this.#near as LeafDraw;
-    const { mesh, leafCut, list } = near;
+  #drawNear(near: LeafDraw, thing: LeafLike, box: Box3): void {
+    const { mesh, list } = near;
     const made = `${thing.key} near`;
     if (mesh.geometry.userData.made !== made || mesh.geometry.userData.count !== list.count)
       near.draw(made, () => thing.mesh('near', BUNDLE), list.count, BUNDLE, box, null);
-    leafCut.value.y = depth;
     mesh.visible = true;
     mesh.castShadow = false; // the far mesh casts for all
     this.#dress(near, 'near', true);

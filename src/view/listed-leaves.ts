@@ -16,6 +16,9 @@ const widerBy = (slope: number): number => TURN * (1 + slope + slope * slope);
 /** Part of the depth that may have changed. */
 const CHANGED = 0.02;
 
+/** Part of what the wind may move a leaf by that it mostly does. */
+const MOSTLY = 0.15;
+
 /** Metres that a leaf may be beside the place where it hangs at rest, as seen from where the camera may have gone since. */
 const roomOf = (slack: number): number => (1 + 2 * STRAY) * slack;
 
@@ -32,7 +35,12 @@ export interface ListWish {
   readonly reach: number;
   /** How many may be listed at most. */
   readonly most: number;
+  /** Another list that takes, of those that are found, the nearest up to a depth; this one then has the rest. */
+  readonly nearer?: { readonly list: ListedLeaves; readonly depth: number; readonly most: number };
 }
+
+/** Are two depths as good as one? */
+const alike = (a: number, b: number): boolean => a === b || Math.abs(a - b) <= CHANGED * b;
 
 /** The places of the leaves that a camera may see, up to a depth, as a list for a mesh that draws no others. */
 export class ListedLeaves {
@@ -80,7 +88,9 @@ export class ListedLeaves {
       last !== null &&
       last.points === wish.points &&
       last.count === wish.count &&
-      (last.depth === wish.depth || Math.abs(last.depth - wish.depth) <= CHANGED * wish.depth) &&
+      alike(last.depth, wish.depth) &&
+      last.nearer?.list === wish.nearer?.list &&
+      alike(last.nearer?.depth ?? 0, wish.nearer?.depth ?? 0) &&
       this.#sides.equals(this.#lastSides) &&
       this.#eye.distanceTo(this.#lastEye) <= STRAY * wish.slack &&
       this.#forward.dot(this.#lastForward) >= TURNED &&
@@ -93,7 +103,8 @@ export class ListedLeaves {
     this.#lastSides.copy(this.#sides);
     const found = this.#within(wish, wish.depth / scale, perspective);
     this.#depth = found.length > wish.most ? scale * this.#keepNearest(found, wish) : wish.depth;
-    this.#store(found);
+    const { nearer } = wish;
+    this.#store(nearer ? this.#rest(found, { ...wish, nearer }, scale, perspective) : found);
     return this.#depth;
   }
 
@@ -131,6 +142,28 @@ export class ListedLeaves {
       if (Math.abs(over) <= besideY + far * sideY) found.push(i);
     }
     return found;
+  }
+
+  /** Hands to the nearer list what belongs there, and returns the rest, in the order in which it was found. */
+  #rest(
+    found: number[],
+    wish: ListWish & Required<Pick<ListWish, 'nearer'>>,
+    scale: number,
+    perspective: boolean,
+  ): number[] {
+    const { points, slack, nearer } = wish;
+    const { list, most } = nearer;
+    const depth = nearer.depth / scale;
+    // What only a storm would bring into view would take the place of what is there.
+    const seen = this.#within({ ...wish, slack: MOSTLY * slack }, depth, perspective);
+    const near = seen.filter((i) => this.#along(points, i) < depth);
+    if (near.length > most) {
+      near.sort((i, j) => this.#along(points, i) - this.#along(points, j));
+      near.length = most;
+    }
+    list.#store(near);
+    const taken = new Set(near);
+    return taken.size > 0 ? found.filter((i) => !taken.has(i)) : found;
   }
 
   /** Leaves out what is farthest; returns the depth up to which all are left, in the space of the tree: 0 where that is none. */

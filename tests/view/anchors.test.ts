@@ -2,6 +2,8 @@ import { createRequire } from 'node:module';
 import * as newest from 'three';
 import { describe, expect, it } from 'vitest';
 import { BRANCH_DEPTH, BRANCH_STANDARD } from '../../src/view/branch-shader.ts';
+import { FOREST_GRASS_INJECTION } from '../../src/view/forest/forest-meadow.ts';
+import { TERRAIN_INJECTION } from '../../src/view/forest/terrain.ts';
 import { GROUND_INJECTION } from '../../src/view/ground.ts';
 import { type Injection, patched } from '../../src/view/inject.ts';
 import { LEAF_DEPTH, LEAF_STANDARD } from '../../src/view/leaf-shader.ts';
@@ -18,6 +20,8 @@ const CASES: readonly [string, keyof typeof newest.ShaderLib, Injection][] = [
   ['leaves in the distance material', 'distance', LEAF_DEPTH],
   ['the ground', 'lambert', GROUND_INJECTION],
   ['the grass', 'lambert', GRASS_INJECTION],
+  ["a forest's ground", 'lambert', TERRAIN_INJECTION],
+  ["a forest's grass", 'lambert', FOREST_GRASS_INJECTION],
 ];
 
 const oldest = createRequire(import.meta.url)('three-oldest') as typeof newest;

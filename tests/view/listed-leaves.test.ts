@@ -49,6 +49,24 @@ describe('listed leaves', () => {
     for (let i = 0; i <= 2 * depth; i++) expect(listed(near)).toContain(i);
   });
 
+  it('are shared between two lists: the nearest in one, as many as it may have, all others in the other', () => {
+    const [all, fine] = [new ListedLeaves(), new ListedLeaves()];
+    const any = { ...wish, depth: Number.POSITIVE_INFINITY };
+    const places = (list: ListedLeaves): number[] => listed(list).sort((a, b) => a - b);
+    all.find({ ...any, nearer: { list: fine, depth: 5, most: 100 } }, camera(), new Matrix4());
+    expect(places(fine)).toEqual([0, 1, 2, 3, 4, 5, 6, 7, 8, 9]);
+    expect(places(all)).toEqual(Array.from({ length: 90 }, (_, i) => 10 + i));
+    all.find({ ...any, nearer: { list: fine, depth: 20, most: 3 } }, camera(), new Matrix4());
+    expect(places(fine)).toEqual([0, 1, 2]);
+    expect(all.count).toBe(97);
+    all.find(any, camera(), new Matrix4());
+    expect(all.count).toBe(100);
+    // Half a metre behind the eye: a storm may bring it into view, which one in view does not make room for.
+    all.find({ ...any, nearer: { list: fine, depth: 20, most: 3 } }, camera(0.5), new Matrix4());
+    expect(places(fine)).toEqual([1, 2, 3]);
+    expect(places(all)[0]).toBe(0);
+  });
+
   it('are measured in the space of a tree that is scaled', () => {
     const near = new ListedLeaves();
     near.find(wish, camera(), new Matrix4().makeScale(2, 2, 2));

@@ -3,7 +3,7 @@ import {
   DataTexture,
   FloatType,
   LinearFilter,
-  LinearMipmapLinearFilter,
+  LinearMipmapNearestFilter,
   RedFormat,
   RGBAFormat,
 } from 'three';
@@ -64,7 +64,7 @@ export function terrainMaps(field: HeightField, cells: number): TerrainMaps {
   normals.wrapS = ClampToEdgeWrapping;
   normals.wrapT = ClampToEdgeWrapping;
   normals.magFilter = LinearFilter;
-  normals.minFilter = LinearMipmapLinearFilter;
+  normals.minFilter = LinearMipmapNearestFilter;
   normals.generateMipmaps = true;
   normals.needsUpdate = true;
   return { cells, heights, normals, low, high, edge: 0.8 * edge + 0.2 * mean };

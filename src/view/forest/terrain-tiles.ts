@@ -30,8 +30,7 @@ export function terrainTiles(size: number): Tile[] {
 /** Cells a side of a patch: near, in the middle, far. */
 export const PATCH_CELLS = [32, 16, 8] as const;
 
-/** How finely a tile is drawn whose nearest point is `distance` metres away, as an index of PATCH_CELLS. Outer ones are large and smooth. */
-export function tileDetail({ side, inside }: Tile, distance: number): 0 | 1 | 2 {
-  if (!inside) return 0;
+/** How finely a tile of the square is drawn whose nearest point is `distance` metres away, as an index of PATCH_CELLS. */
+export function tileDetail({ side }: Tile, distance: number): 0 | 1 | 2 {
   return distance < 1.2 * side ? 0 : distance < 3 * side ? 1 : 2;
 }

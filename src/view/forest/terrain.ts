@@ -7,19 +7,21 @@ import {
   InstancedBufferAttribute,
   type InstancedBufferGeometry,
   type IUniform,
+  LinearMipmapNearestFilter,
   Matrix4,
   Mesh,
   MeshLambertMaterial,
   Object3D,
+  ShaderChunk,
   SRGBColorSpace,
   type Texture,
   Vector2,
   Vector3,
 } from 'three';
 import look from '../../../shaders/forest/terrain-look.glsl';
+import normal from '../../../shaders/forest/terrain-normal.glsl';
 import shadow from '../../../shaders/forest/terrain-shadow.glsl';
 import vertex from '../../../shaders/forest/terrain-vertex.glsl';
-import groundNormal from '../../../shaders/stage/ground-normal.glsl';
 import type { HeightField } from '../../core/forest/height-field.ts';
 import type { ForceField } from '../force-field.ts';
 import type { Ground } from '../ground.ts';
@@ -29,6 +31,9 @@ import type { StageLook } from '../stage-look.ts';
 import { type TerrainMaps, terrainMaps } from './terrain-maps.ts';
 import { terrainPatch } from './terrain-patch.ts';
 import { PATCH_CELLS, type Tile, terrainTiles, tileDetail } from './terrain-tiles.ts';
+
+/** Three's own lookup of shadows is one that `terrainShadow` knows; an older one is called. */
+const LOOKS = ShaderChunk.shadowmap_pars_fragment.includes('interleavedGradientNoise') ? '#define TERRAIN_LOOKS' : '';
 
 /** Where three's Lambert material takes the shape, the colours and the haze of the forest's ground. */
 export const TERRAIN_INJECTION = {
@@ -41,19 +46,23 @@ export const TERRAIN_INJECTION = {
 vTerrain = transformed.xy;
 vGround = (modelMatrix * vec4(transformed, 1.0)).xyz;
 vHaze = farField(vGround - cameraPosition);
+vSlow = terrainSlow(vTerrain, distance(vGround, cameraPosition));
 vLaid = 1.0 - exp(-6.0 * length(fieldForce(transformed.xy)));`,
     },
   ],
   fragment: [
-    { anchor: '#include <common>', after: `${look}\nin float vLaid;` },
-    { anchor: '#include <shadowmap_pars_fragment>', after: `${SHADOW_MAP}\n${shadow}\n${groundNormal}` },
+    { anchor: '#include <common>', after: `#define TERRAIN_MESH\n${look}\nin float vLaid;` },
+    { anchor: '#include <shadowmap_pars_fragment>', after: `${SHADOW_MAP}\n${LOOKS}\n${shadow}\n${normal}` },
     {
       anchor: '#include <map_fragment>',
       after: 'diffuseColor.rgb *= terrainDiffuse(); diffuseColor.rgb *= 1.0 + 0.22 * vLaid * terrainLight.y;',
     },
+    { anchor: '#include <normal_fragment_begin>', instead: 'vec3 normal = terrainNormal();' },
+    // What the eye's direction is does not matter to a Lambert surface: it is not worked out.
     {
-      anchor: '#include <normal_fragment_begin>',
-      after: 'normal = groundNormal(normalize((viewMatrix * vec4(terrainUp.xzy * vec3(1.0, 1.0, -1.0), 0.0)).xyz));',
+      anchor: '#include <lights_fragment_begin>',
+      before: '#define isOrthographic true',
+      after: '#undef isOrthographic',
     },
     {
       anchor: '#include <aomap_fragment>',
@@ -71,6 +80,9 @@ reflectedLight.directDiffuse *= terrainLight.x;
 
 /** Cells of the grid of heights, a side. */
 const CELLS = 256;
+
+/** Of the meshes, the one of the tiles outside; those before it are those of PATCH_CELLS. */
+const OUTSIDE = PATCH_CELLS.length;
 
 /** How far grass stands up to a low light. */
 const UPRIGHT = 0.3;
@@ -92,6 +104,9 @@ export class Terrain extends Object3D {
   /** What grass that stands on it takes as well. */
   readonly uniforms: Ground['uniforms'] & Record<string, IUniform>;
   readonly material = new MeshLambertMaterial();
+  /** Of what lies within the square: without what is only outside of it. */
+  readonly #within = new MeshLambertMaterial();
+  readonly #field: ForceField;
   readonly #own = {
     terrainHeights: { value: null as Texture | null },
     terrainNormals: { value: null as Texture | null },
@@ -101,6 +116,7 @@ export class Terrain extends Object3D {
     terrainAir: { value: new Vector2(0.001, 1) },
   };
   readonly #open = openSky();
+  readonly #grass: DataTexture;
   readonly #places: InstancedBufferAttribute[] = [];
   readonly #meshes: Mesh<InstancedBufferGeometry, MeshLambertMaterial>[] = [];
   #tiles: readonly Tile[] = [];
@@ -111,8 +127,12 @@ export class Terrain extends Object3D {
     super();
     this.name = 'terrain';
     const { grassMap, grassLight, grassDark, earth, groundLook, groundShade, grassGrowth } = ground.uniforms;
+    // Looks at it make up most of what a pixel of the ground costs; between two mip levels each would be two.
+    this.#grass = grassMap.value.clone();
+    this.#grass.minFilter = LinearMipmapNearestFilter;
+    this.#grass.needsUpdate = true;
     this.uniforms = {
-      grassMap,
+      grassMap: { value: this.#grass },
       grassLight,
       grassDark,
       earth,
@@ -125,14 +145,20 @@ export class Terrain extends Object3D {
       ...this.#own,
     };
     this.#own.terrainShade.value = this.#open;
-    field.dress(this.material);
-    this.material.fog = false; // its haze has the colour of the direction
-    inject(this.material, 'windgrove terrain', TERRAIN_INJECTION, { ...this.uniforms, ...field.uniforms, ...sky });
+    this.#field = field;
+    this.#within.defines = { TERRAIN_WITHIN: 1 };
+    for (const material of [this.material, this.#within]) {
+      field.dress(material);
+      material.fog = false; // its haze has the colour of the direction
+      inject(material, 'windgrove terrain', TERRAIN_INJECTION, { ...this.uniforms, ...field.uniforms, ...sky });
+    }
     this.rotation.x = -Math.PI / 2;
-    for (const cells of PATCH_CELLS) {
+    for (const cells of [...PATCH_CELLS, PATCH_CELLS[0]]) {
+      const material = this.#meshes.length === OUTSIDE ? this.material : this.#within;
       const places = new InstancedBufferAttribute(new Float32Array(3 * 96), 3);
-      const mesh = new Mesh(terrainPatch(cells, places), this.material);
+      const mesh = new Mesh(terrainPatch(cells, places), material);
       mesh.frustumCulled = false; // tile by tile
+      mesh.renderOrder = 0.5; // after the trees that hide it, before the sky: no pixel is shaded twice
       mesh.receiveShadow = true;
       mesh.raycast = () => {};
       this.#places.push(places);
@@ -183,17 +209,18 @@ export class Terrain extends Object3D {
     this.updateWorldMatrix(true, false);
     frustum.setFromProjectionMatrix(matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
     eye.setFromMatrixPosition(camera.matrixWorld);
-    const counts = [0, 0, 0];
+    this.#field.dress(this.#within);
+    const counts = [0, 0, 0, 0];
     for (const tile of this.#tiles) {
       const { x, y, side } = tile;
       box.min.set(x, y, maps.low - 0.06 * side);
       box.max.set(x + side, y + side, maps.high);
       box.applyMatrix4(this.matrixWorld);
       if (!frustum.intersectsBox(box)) continue;
-      const detail = tileDetail(tile, box.distanceToPoint(eye));
-      const n = counts[detail] as number;
-      (this.#places[detail] as InstancedBufferAttribute).setXYZ(n, x, y, side);
-      counts[detail] = n + 1;
+      const kind = tile.inside ? tileDetail(tile, box.distanceToPoint(eye)) : OUTSIDE;
+      const n = counts[kind] as number;
+      (this.#places[kind] as InstancedBufferAttribute).setXYZ(n, x, y, side);
+      counts[kind] = n + 1;
     }
     this.#meshes.forEach((mesh, i) => {
       const count = counts[i] as number;
@@ -206,8 +233,10 @@ export class Terrain extends Object3D {
   override dispose(): void {
     this.#dropMaps();
     this.#open.dispose();
+    this.#grass.dispose();
     for (const { geometry } of this.#meshes) geometry.dispose();
     this.material.dispose();
+    this.#within.dispose();
   }
 
   #dropMaps(): void {
