@@ -85,10 +85,17 @@ export class LivePage {
       for (const figure of here) if (figure.stale || (figure.moving && figure.visible)) figure.draw(seconds);
       const moving = here.some((figure) => figure.visible && figure.moving);
       this.#last = moving ? now : 0;
-      if (this.#seen && this.#figures.every((figure) => !figure.visible || figure.settled))
-        document.documentElement.dataset.ready = 'true';
+      if (this.#seen && this.#figures.every((figure) => !figure.visible || figure.settled)) this.#ready();
       if (moving || here.some(({ stale }) => stale)) this.wake();
     });
+  }
+
+  /** All in the window is drawn: now there is time for the stills of scenes, which no print waits for. */
+  #ready(): void {
+    const { dataset } = document.documentElement;
+    if (dataset.ready) return;
+    dataset.ready = 'true';
+    for (const still of document.querySelectorAll<HTMLImageElement>('.still:not(.drawn)')) still.loading = 'eager';
   }
 
   /** On paper every figure stands, in the light theme, and every answer is open. */

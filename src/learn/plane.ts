@@ -219,6 +219,19 @@ export class Plane {
     context.fillText(text, px, py);
   }
 
+  /** Draws without what lies beyond the view. */
+  clipped(draw: () => void): void {
+    const { context } = this;
+    const [left, top] = this.toPixel(this.x[0], this.y[1]);
+    const [right, bottom] = this.toPixel(this.x[1], this.y[0]);
+    context.save();
+    context.beginPath();
+    context.rect(left, top, right - left, bottom - top);
+    context.clip();
+    draw();
+    context.restore();
+  }
+
   /** What `FigureStage.handles` returns for a point of the world; keys move it by `step` pixels. */
   handle({ at, move, ...rest }: WorldHandle): Handle {
     const [x, y] = this.toPixel(...at);

@@ -200,7 +200,8 @@ export function rateFigure(graph: RateGraph, measured: Measured): FigureSpec {
               id: 'size',
               label: things,
               ways: 'across',
-              at: [x(size), y(Math.min(rateAt(theirs, size), 10 ** plane.y[1]))],
+              // On plain axes small sizes are above the sheet, and large ones beside it.
+              at: plane.within([x(size), y(rateAt(theirs, size))]),
               colour: host.colours().rest,
               said: `${Math.round(size / 1000)} thousand`,
               move: (px) => host.set('size', (log() ? 10 ** px : px) / 1000),

@@ -3,7 +3,7 @@ import type { Wind } from '../../core/wind/wind.ts';
 import { DEFAULT_WAVE } from '../../core/wind/wind.ts';
 import { type FigureHost, type FigureSpec, numberOf, type Values } from '../figure.ts';
 import { marginsOf } from '../panels.ts';
-import { Plane } from '../plane.ts';
+import { Plane, type Point } from '../plane.ts';
 import { PlaneFigure } from '../plane-figure.ts';
 import { windOf } from '../sum-of-sines/waves.ts';
 import { apartByDepth, type BothPoses, bothPoses } from './lag-run.ts';
@@ -16,6 +16,12 @@ export const swell = (amplitude: number, frequency: number): Wind =>
   windOf([{ ...DEFAULT_WAVE, amplitude, wavelength: 24, speed: 24 * frequency, sharpness: 1, direction: -0.6 }], {
     pose: 'lagged',
   });
+
+/** The arrow of the swell beside the tree, as long as it pushes: its foot and its tip. */
+const reach = (amplitude: number): readonly [Point, Point] => [
+  [-2.5, 5.9],
+  [-2.5 + amplitude, 5.9],
+];
 
 class Lagged extends PlaneFigure {
   readonly #tree: PackedTree;
@@ -53,6 +59,8 @@ class Lagged extends PlaneFigure {
     this.plane.line([this.plane.x[0], 0], [this.plane.x[1], 0], { colour: colours.line, width: 1 });
     this.#drawing.draw(this.plane, poses.exact, colours, () => ({ colour: colours.rest, wider: 2, alpha: 0.5 }));
     this.#drawing.draw(this.plane, poses.lagged, colours, () => ({ colour: colours.answer }));
+    const [from, to] = reach(numberOf(values, 'amplitude'));
+    this.plane.arrow(from, to, { colour: colours.force, width: 3 });
     this.#chart(bars, rate);
     const last = this.#most.length - 1;
     const bound = (last / rate) * (this.#fastest[last] ?? 0);
@@ -61,6 +69,21 @@ class Lagged extends PlaneFigure {
       bound: (1000 * bound).toFixed(1),
       late: ((1000 * last) / rate).toFixed(0),
     };
+  }
+
+  handles(values: Values) {
+    const amplitude = numberOf(values, 'amplitude');
+    return [
+      this.plane.handle({
+        id: 'amplitude',
+        label: 'Amplitude of the swell',
+        at: reach(amplitude)[1],
+        ways: 'across',
+        colour: this.host.colours().force,
+        said: `${amplitude} metres`,
+        move: (x) => this.host.set('amplitude', x - reach(0)[0][0]),
+      }),
+    ];
   }
 
   text(): string {

@@ -11,6 +11,9 @@ import { TexelGrid } from './texel-grid.ts';
 /** Rows between the two sets, for the lines. */
 const GAP = 4;
 
+/** The last pass. */
+const MOST = 3;
+
 class Passes extends PlaneFigure {
   readonly #tree: PackedTree;
   readonly #sets: readonly [TexelGrid, TexelGrid];
@@ -28,7 +31,7 @@ class Passes extends PlaneFigure {
     const { width, height } = tree.pieces;
     const exact = choiceOf(values, 'way') === 'exact';
     const pass = numberOf(values, 'pass');
-    plane.begin({ x: [-0.4, width + 0.4], y: [-0.4, 2 * height + GAP + 1.6], equal: true });
+    plane.begin({ x: [-0.4, width + 0.4], y: [-3, 2 * height + GAP + 1.6], equal: true });
     const names = exact
       ? ['even depths', 'odd depths']
       : pass % 2 === 0
@@ -57,6 +60,17 @@ class Passes extends PlaneFigure {
     this.#sets.forEach((grid, set) => {
       plane.text([grid.x, grid.y], names[set] ?? '', { size: 13, colour: soft, shift: [0, -8] });
     });
+    plane.line(this.#stop(0), this.#stop(MOST), { colour: line, width: 1 });
+    for (let n = 0; n <= MOST; n++) {
+      plane.dot(this.#stop(n), 3, { colour: line });
+      plane.text(this.#stop(n), `pass ${n}`, {
+        colour: soft,
+        size: 12,
+        align: 'center',
+        baseline: 'top',
+        shift: [0, 12],
+      });
+    }
     const count = exact ? (tree.depthStart[pass + 1] ?? 0) - (tree.depthStart[pass] ?? 0) : tree.pieceCount;
     const depths = tree.depthStart.length - 1;
     return {
@@ -65,6 +79,27 @@ class Passes extends PlaneFigure {
       draws: exact ? String(depths) : '1',
       late: exact ? '0' : `1 to ${depths - 1}`,
     };
+  }
+
+  handles(values: Values) {
+    const pass = numberOf(values, 'pass');
+    return [
+      this.plane.handle({
+        id: 'pass',
+        label: 'Pass',
+        at: this.#stop(pass),
+        ways: 'across',
+        said: `pass ${pass}`,
+        move: (x) => this.host.set('pass', (x - this.#stop(0)[0]) / (this.#stop(1)[0] - this.#stop(0)[0])),
+        turn: (steps) => this.host.set('pass', pass + steps),
+      }),
+    ];
+  }
+
+  /** Where a pass stands on the line below the sets. */
+  #stop(pass: number): Point {
+    const { width } = this.#tree.pieces;
+    return [width * (0.14 + (0.72 * pass) / MOST), -1.4];
   }
 
   text(values: Values): string {
@@ -103,7 +138,7 @@ export const passes: FigureSpec = {
         { value: 'lagged', label: 'The paper’s' },
       ],
     },
-    { id: 'pass', label: 'Pass', min: 0, max: 3, step: 1, value: 2 },
+    { id: 'pass', label: 'Pass', min: 0, max: MOST, step: 1, value: 2 },
   ],
   readouts: [
     { id: 'depths', label: 'Depths of the tree' },

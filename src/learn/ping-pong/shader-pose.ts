@@ -3,6 +3,7 @@ import { POSE_TARGETS } from '../../core/pack/layout.ts';
 import type { PackedTree } from '../../core/pack/packed.ts';
 import { capabilitiesOf, probePage } from '../../gpu/capabilities.ts';
 import { readBack } from '../../gpu/read-back.ts';
+import { STEP } from '../../gpu/step.ts';
 import { TreeTextures } from '../../gpu/tree-textures.ts';
 import { WindPass } from '../../gpu/wind-pass.ts';
 import type { LivePose, TwoSets } from './live-pose.ts';
@@ -27,10 +28,15 @@ export function shaderPose(tree: PackedTree, restored: () => void): LivePose | n
   return {
     by: 'shader',
     async run(time, wind): Promise<TwoSets | null> {
+      const lagged = wind.pose === 'lagged';
+      // Of the step before the pass needs the parents alone, and its deepest pieces may be of any pose: here they are seen.
+      if (lagged) pass.update(renderer, time - STEP, wind);
       pass.update(renderer, time, wind);
       const shown = textures.uniforms.poseEven.value[0] === targets[0].textures[0] ? 0 : 1;
-      const written = wind.pose === 'lagged' ? shown : null;
-      const [even, odd] = await Promise.all([read(0), read(1)]);
+      // Into which of the two a step goes depends on how many the pass has run; shown by the step's own number it is always the same picture.
+      const written = lagged ? ((Math.round(time / STEP) & 1) as 0 | 1) : null;
+      const first = written === null || written === shown ? 0 : 1;
+      const [even, odd] = await Promise.all([read(first), read(first === 0 ? 1 : 0)]);
       return even && odd && { sets: [even, odd], written };
     },
     dispose() {

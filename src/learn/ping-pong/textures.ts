@@ -102,6 +102,29 @@ class Textures implements FigureStage {
     this.#step = null;
   }
 
+  handles(values: Values) {
+    const seen = this.#seen;
+    if (!seen) return [];
+    const piece = numberOf(values, 'piece');
+    const { p3 } = poseOf(seen.pose, planeOf(this.#tree.restPose), piece).curve;
+    const [x, y] = this.#branches.toPixel(...this.#drawing.flat(p3));
+    return [
+      {
+        id: 'piece',
+        label: 'The chosen branch',
+        x,
+        y,
+        colour: this.#host.colours().force,
+        said: `texel ${piece}`,
+        move: (px: number, py: number) => {
+          const under = this.#drawing.pick(this.#branches, seen.pose, px, py);
+          if (under >= 0) this.#host.set('piece', under);
+        },
+        turn: (steps: number) => this.#host.set('piece', piece + steps),
+      },
+    ];
+  }
+
   text(values: Values): string {
     const piece = numberOf(values, 'piece');
     const { pieceCount } = this.#tree;

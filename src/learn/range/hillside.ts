@@ -9,6 +9,15 @@ import { PlaneFigure } from '../plane-figure.ts';
 const ASPEN = { main: 30, other: 739, leaves: 13_312 } as const;
 const TRIANGLES_OF_LEAF = 4;
 const FARTHEST = 1500;
+/** Metres from the eye to where the edge of the view is taken hold of: there even the widest is on the sheet. */
+const GRIP = 650;
+/** A picture is so much wider than high. */
+const WIDER = 16 / 9;
+const DEGREES = 180 / Math.PI;
+
+/** Half of the angle that a picture sees across, radians, by its field of view up and down, degrees; and back. */
+const acrossOf = (fov: number): number => Math.atan(Math.tan(fov / 2 / DEGREES) * WIDER);
+const fovOf = (across: number): number => 2 * DEGREES * Math.atan(Math.tan(across) / WIDER);
 
 /** Triangles, lines and points of one aspen at a calibrated range. */
 function elements(r2: number): number {
@@ -29,8 +38,7 @@ class Hillside extends PlaneFigure {
     const p = this.plane;
     const [trees, fov, rows] = ['trees', 'fov', 'rows'].map((id) => numberOf(values, id)) as [number, number, number];
     p.begin({ x: [-60, FARTHEST], y: [-520, 520], equal: true });
-    // The wedge is as wide as a picture of 16 : 9 sees.
-    const half = Math.atan((Math.tan((fov * Math.PI) / 360) * 16) / 9);
+    const half = acrossOf(fov);
     const [cos, sin] = [Math.cos(half), Math.sin(half)];
     for (const range of [100, 300, 800]) {
       const arc = Array.from({ length: 41 }, (_, i): readonly [number, number] => {
@@ -75,6 +83,21 @@ class Hillside extends PlaneFigure {
       part: `${((100 * drawn) / (full * trees)).toFixed(1)} %`,
       near: `${((100 * near) / drawn).toFixed(0)} %`,
     };
+  }
+
+  handles(values: Values) {
+    const fov = numberOf(values, 'fov');
+    const half = acrossOf(fov);
+    return [
+      this.plane.handle({
+        id: 'fov',
+        label: 'Edge of the view',
+        at: [GRIP * Math.cos(half), GRIP * Math.sin(half)],
+        said: `field of view ${fov} degrees`,
+        move: (x, y) => this.host.set('fov', fovOf(Math.atan2(Math.max(0, y), Math.max(1, x)))),
+        turn: (steps) => this.host.set('fov', fov + steps),
+      }),
+    ];
   }
 
   text(values: Values): string {

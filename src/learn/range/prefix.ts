@@ -11,6 +11,10 @@ const MASS = 16;
 
 const SEED = 4;
 
+/** Pixels below the trees: their names, and the bar of all leaves. */
+const BELOW = 84;
+const BAR = 40;
+
 /** Where every leaf of a tree is, seen from the side: x, z. */
 function leafPlaces({ stems, leaves }: Tree): Float32Array {
   const places = new Float32Array(2 * leaves.count);
@@ -69,7 +73,7 @@ class Prefix extends PlaneFigure {
           x: [-4.4, 4.4],
           y: [4, 16.5],
           equal: true,
-          margin: { left: 4 + (column * width) / 3, right: 4 + ((2 - column) * width) / 3, top: 8, bottom: 30 },
+          margin: { left: 4 + (column * width) / 3, right: 4 + ((2 - column) * width) / 3, top: 8, bottom: BELOW },
         },
         { keep: column > 0 },
       );
@@ -87,7 +91,36 @@ class Prefix extends PlaneFigure {
       context.globalAlpha = 1;
       p.text([0, p.y[0]], name, { align: 'center', baseline: 'top', shift: [0, 6] });
     });
+    this.#bar(part);
     return { drawn: wanted.toLocaleString('en'), all: all.toLocaleString('en') };
+  }
+
+  handles(values: Values) {
+    const part = numberOf(values, 'part');
+    return [
+      this.plane.handle({
+        id: 'part',
+        label: 'Leaves drawn',
+        at: [part, 0],
+        ways: 'across',
+        colour: this.host.colours().answer,
+        said: `${part} per cent of all`,
+        move: (x) => this.host.set('part', x),
+      }),
+    ];
+  }
+
+  /** All leaves as a bar below the trees, in per cent, as far as they are drawn. */
+  #bar(part: number): void {
+    const { soft, line, answer } = this.host.colours();
+    const p = this.plane;
+    const top = this.host.size.height - BAR;
+    p.begin({ x: [0, 100], y: [-1, 1], margin: { left: 28, right: 28, top, bottom: BAR - 20 } }, { keep: true });
+    p.line([0, 0], [100, 0], { colour: line, width: 5 });
+    p.line([0, 0], [100 * part, 0], { colour: answer, width: 5 });
+    const beneath = { colour: soft, size: 12, baseline: 'top', shift: [0, 10] } as const;
+    p.text([0, 0], 'no leaf', { ...beneath, align: 'left' });
+    p.text([100, 0], 'all leaves', { ...beneath, align: 'right' });
   }
 
   text(values: Values): string {

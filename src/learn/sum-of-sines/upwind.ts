@@ -7,6 +7,9 @@ import { AskedWind } from './waves.ts';
 
 const WIDE = 36;
 
+/** Where the ruler of the wavelength begins, metres, and how far under the ground's line it lies. */
+const [RULER, UNDER] = [3, -0.2];
+
 class Upwind extends PlaneFigure {
   draw(values: Values, time: number): Record<string, string> {
     const plane = this.plane;
@@ -24,6 +27,16 @@ class Upwind extends PlaneFigure {
     plane.line([0, 0], [WIDE, 0], { colour: line, width: 1 });
     plane.text([0, 0], 'push of the wind, to the right', { colour: soft, size: 12, shift: [10, -6] });
     this.#grass(push, answer);
+    plane.line([RULER, UNDER], [RULER + wavelength, UNDER], { colour: soft, width: 1.5 });
+    plane.line([RULER, UNDER - 0.08], [RULER, UNDER + 0.08], { colour: soft, width: 1.5 });
+    plane.text([RULER, UNDER], 'λ', {
+      colour: soft,
+      italic: true,
+      size: 15,
+      align: 'right',
+      baseline: 'middle',
+      shift: [-6, 0],
+    });
     // The crest that is on the sheet now.
     const first = crestNear(asked, wavelength, WIDE / 2, time);
     const at: Point = [first, push(first)];
@@ -50,6 +63,21 @@ class Upwind extends PlaneFigure {
       ours: signed(crestSpeed(alongX(wavelength, speed, false), wavelength, time)),
       printed: signed(crestSpeed(alongX(wavelength, speed, true), wavelength, time)),
     };
+  }
+
+  handles(values: Values) {
+    const wavelength = numberOf(values, 'wavelength');
+    return [
+      this.plane.handle({
+        id: 'wavelength',
+        label: 'Wavelength',
+        at: [RULER + wavelength, UNDER],
+        ways: 'across',
+        colour: this.host.colours().soft,
+        said: `${wavelength} metres`,
+        move: (x) => this.host.set('wavelength', x - RULER),
+      }),
+    ];
   }
 
   text(values: Values): string {

@@ -20,6 +20,10 @@ const changes = (values: Values): Changes => ({
   leaves: { count: 0 },
 });
 
+/** Where in the graph beside the tree an angle stands, and back. */
+const across = (degrees: number): number => 6.6 + (degrees / 140) * 5.4;
+const degreesAt = (x: number): number => ((x - 6.6) / 5.4) * 140;
+
 class Children extends AspenFigure {
   draw(values: Values): Record<string, string> {
     const c = this.host.colours();
@@ -35,11 +39,40 @@ class Children extends AspenFigure {
     return { mean: mean.toFixed(1), bottom: angle(BARE), top: angle(1), stems: String(main.length) };
   }
 
+  /** The ends of the line of the angles: the upper one turns it, the lower one moves all of it. */
+  handles(values: Values) {
+    const [down, along] = [numberOf(values, 'down'), numberOf(values, 'along')];
+    const colour = this.host.colours().answer;
+    const ends = [
+      { id: 'bottom', label: 'Angle at the base of the crown', z: BARE * TRUNK },
+      { id: 'top', label: 'Angle at the top', z: TRUNK },
+    ] as const;
+    return ends.map(({ id, label, z }) => {
+      const angle = this.#angle(values, z);
+      return this.plane.handle({
+        id,
+        label,
+        at: [across(angle), z],
+        ways: 'across',
+        colour,
+        said: `${angle.toFixed(0)} degrees`,
+        move: (x) => {
+          const wanted = degreesAt(x);
+          if (id === 'bottom') this.host.set('down', down + wanted - angle);
+          // Above 0 the number is a tolerance, and the line stands upright.
+          else this.host.set('along', Math.min(0, (wanted - down) / (1 - 2 * shapeRatio(0, 0))));
+        },
+        turn: (steps) =>
+          id === 'bottom' ? this.host.set('down', down + steps) : this.host.set('along', Math.min(0, along) + steps),
+      });
+    });
+  }
+
   /** Height across, beside the tree at the same heights: the angle at which a branch leaves. */
   #graph(values: Values, tree: Tree): void {
     const c = this.host.colours();
     const p = this.plane;
-    const at = (degrees: number): number => 6.6 + (degrees / 140) * 5.4;
+    const at = across;
     for (const degrees of [0, 45, 90, 135]) {
       p.line([at(degrees), BARE * TRUNK], [at(degrees), TRUNK], { colour: c.hairline, width: 1 });
       p.text([at(degrees), BARE * TRUNK], `${degrees}°`, {

@@ -64,6 +64,9 @@ const HEXAGON: readonly Point[] = [
 /** The eye looks a little down on the twig. */
 const DOWN = 0.35;
 
+/** The bar beside the twig along which Bend is dragged: its place and its ends. */
+const [BAR, LOW, HIGH] = [0.74, 0.3, 1.15];
+
 class Leaves extends AspenFigure {
   draw(values: Values): Record<string, string> {
     const c = this.host.colours();
@@ -95,8 +98,36 @@ class Leaves extends AspenFigure {
       p.area(points, { colour: c.answer, alpha: 0.25 + 0.5 * Math.max(0, light) });
       p.polyline([...points, points[0]!], { colour: c.answer, width: 1, alpha: 0.8 });
     }
+    const bar = (y: number): Point => [BAR, y];
+    p.line(bar(LOW), bar(HIGH), { colour: c.line, width: 1 });
+    for (const [y, word] of [
+      [LOW, 'as grown'],
+      [HIGH, 'to the light'],
+    ] as const)
+      p.text(bar(y), word, {
+        size: 12,
+        colour: c.soft,
+        align: 'right',
+        baseline: y === LOW ? 'top' : 'bottom',
+        shift: [12, y === LOW ? 14 : -14],
+      });
     const degrees = (lean / Math.max(1, tree.leaves.count)) * (180 / Math.PI);
     return { leaves: String(tree.leaves.count), lean: degrees.toFixed(1) };
+  }
+
+  handles(values: Values) {
+    const bend = numberOf(values, 'bend');
+    return [
+      this.plane.handle({
+        id: 'bend',
+        label: 'Bend towards the light',
+        at: [BAR, LOW + (HIGH - LOW) * bend],
+        ways: 'up',
+        colour: this.host.colours().answer,
+        said: `${Math.round(100 * bend)} per cent`,
+        move: (_, y) => this.host.set('bend', (y - LOW) / (HIGH - LOW)),
+      }),
+    ];
   }
 
   text(values: Values): string {

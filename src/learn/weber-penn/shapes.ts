@@ -9,11 +9,14 @@ import { sketchTree } from './sketch.ts';
 /** The paper's shapes and, as the ninth on the plate, a cone that runs to a point; 8, the envelope, has a figure of its own. */
 const SHOWN = [0, 1, 2, 3, 4, 5, 6, 7, 9] as const;
 
+/** Metres of each trunk. */
+const HEIGHT = 10;
+
 const changes = (shape: number, values: Values): Changes => ({
   tree: {
     shape,
     baseSize: numberOf(values, 'baseSize'),
-    scale: 10,
+    scale: HEIGHT,
     scaleV: 0,
     levels: 2,
     ratio: 0.012,
@@ -79,7 +82,25 @@ class Shapes extends PlaneFigure {
         colour: shape === 9 ? c.soft : c.ink,
       });
     });
+    const bare = HEIGHT * numberOf(values, 'baseSize');
+    p.line([-3, bare], [3, bare], { colour: c.answer, width: 1, dash: [4, 4] });
     return { stems: String(stems) };
+  }
+
+  /** On the last tree of the plate, whose plane it is. */
+  handles(values: Values) {
+    const base = numberOf(values, 'baseSize');
+    return [
+      this.plane.handle({
+        id: 'baseSize',
+        label: 'Base of the crowns',
+        at: [0, HEIGHT * base],
+        ways: 'up',
+        colour: this.host.colours().answer,
+        said: `${Math.round(100 * base)} per cent of the trunk`,
+        move: (_, y) => this.host.set('baseSize', y / HEIGHT),
+      }),
+    ];
   }
 
   text(): string {

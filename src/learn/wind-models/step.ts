@@ -101,20 +101,14 @@ class Step implements FigureStage {
   }
 
   #path(plane: Plane, points: readonly Point[], shown: number, colour: string): void {
-    const { context } = plane;
-    const [x0, y1] = plane.toPixel(plane.x[0], plane.y[1]);
-    const [x1, y0] = plane.toPixel(plane.x[1], plane.y[0]);
-    context.save();
-    context.beginPath();
-    context.rect(x0, y1, x1 - x0, y0 - y1);
-    context.clip();
-    plane.polyline(points, { colour, width: 1.2, alpha: 0.35 });
-    const past = points.slice(0, shown);
-    plane.polyline(past, { colour, width: 1.6 });
-    for (const point of past) plane.dot(point, 1.8, { colour });
-    const now = past.at(-1);
-    if (now) plane.dot(now, 5, { colour });
-    context.restore();
+    plane.clipped(() => {
+      plane.polyline(points, { colour, width: 1.2, alpha: 0.35 });
+      const past = points.slice(0, shown);
+      plane.polyline(past, { colour, width: 1.6 });
+      for (const point of past) plane.dot(point, 1.8, { colour });
+      const now = past.at(-1);
+      if (now) plane.dot(now, 5, { colour });
+    });
   }
 }
 

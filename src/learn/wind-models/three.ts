@@ -11,6 +11,10 @@ import { GUST_START, gustWind, MODELS, ModelTree, traceOf } from './models.ts';
 /** Seconds after which it begins anew. */
 const LOOP = 10;
 const SPLIT = 0.62;
+/** Units of the picture that the arrow of a force of 1 m is long, and its height beside the trunk. */
+const [PER_FORCE, ARROW] = [1.4, 0.8];
+/** How far below the traces the ruler of the gust lies: a part of their scale. */
+const RULER = -0.55;
 const NAMES = { direct: 'direct', spring: 'spring', sway: 'sway' } as const;
 
 /** The longest stem of level 1: its last piece. */
@@ -42,6 +46,7 @@ class Three implements FigureStage {
   readonly #traces: Plane[];
   #values: Values | null = null;
   #lanes: Lane[] = [];
+  #scale = 1;
 
   constructor(host: FigureHost) {
     this.#host = host;
@@ -57,6 +62,7 @@ class Three implements FigureStage {
     const now = time % LOOP;
     const { force, soft } = this.#host.colours();
     const scale = Math.max(...this.#lanes.map(({ moved }) => most(moved)), 0.02) * 1.15;
+    this.#scale = scale;
     MODELS.forEach((model, i) => {
       const lane = this.#lanes[i];
       const [plane, trace] = [this.#planes[i], this.#traces[i]];
@@ -71,6 +77,11 @@ class Three implements FigureStage {
       this.#trace(trace, lane, i, now, scale);
       if (i === 0) {
         trace.text([0, scale], 'tip, m', { colour: soft, size: 12, baseline: 'bottom', shift: [0, -2] });
+        const [from, to] = this.#strongest(values);
+        plane.line(from, to, { colour: force, width: 1, dash: [3, 4] });
+        const [begin, end] = this.#ruler(values);
+        trace.line(begin, end, { colour: force, width: 1.5 });
+        for (const [x, y] of [begin, end]) trace.line([x, 0], [x, y], { colour: force, width: 1, dash: [3, 4] });
       }
       if (i === 2)
         trace.text([LOOP, scale], 'force', {
@@ -93,6 +104,54 @@ class Three implements FigureStage {
   text(): string {
     const [direct, spring, sway] = this.#lanes.map(({ moved }) => (100 * most(moved)).toFixed(0));
     return `The gust moves the tip by at most ${direct} centimetres at once, ${spring} as a spring; the swaying limb goes up to ${sway}, gust or none.`;
+  }
+
+  handles(values: Values) {
+    const [plane, trace] = [this.#planes[0], this.#traces[0]];
+    if (!plane || !trace) return [];
+    const { force } = this.#host.colours();
+    const rise = numberOf(values, 'rise');
+    const [foot, tip] = this.#strongest(values);
+    return [
+      plane.handle({
+        id: 'gust',
+        label: 'Strength of the gust',
+        at: tip,
+        ways: 'across',
+        colour: force,
+        said: `${numberOf(values, 'gust')} metres`,
+        move: (x) => this.#host.set('gust', (x - foot[0]) / PER_FORCE),
+      }),
+      trace.handle({
+        id: 'rise',
+        label: 'End of the gust',
+        at: this.#ruler(values)[1],
+        ways: 'across',
+        colour: force,
+        said: `${(GUST_START + 2 * rise).toFixed(1)} seconds`,
+        move: (x) => this.#host.set('rise', (x - GUST_START) / 2),
+      }),
+    ];
+  }
+
+  /** The arrow of the gust at its strongest: its foot and its tip. */
+  #strongest(values: Values): readonly [Point, Point] {
+    const foot = this.#foot(this.#planes[0] as Plane);
+    return [foot, [foot[0] + PER_FORCE * numberOf(values, 'gust'), ARROW]];
+  }
+
+  /** Where an arrow begins, at the edge of its picture. */
+  #foot(plane: Plane): Point {
+    return [plane.x[0] + 0.15, ARROW];
+  }
+
+  /** From the begin of the gust to its end, below its trace. */
+  #ruler(values: Values): readonly [Point, Point] {
+    const y = RULER * this.#scale;
+    return [
+      [GUST_START, y],
+      [GUST_START + 2 * numberOf(values, 'rise'), y],
+    ];
   }
 
   #make(values: Values): void {
@@ -128,7 +187,10 @@ class Three implements FigureStage {
     );
     const force = this.#lanes[column]?.force[Math.min(60 * LOOP - 1, Math.floor(60 * now))] ?? 0;
     if (force > 1e-3)
-      plane.arrow([-1.8, 4.6], [-1.8 + Math.min(2, 2.2 * force), 4.6], { colour: colours.force, width: 3 });
+      plane.arrow(this.#foot(plane), [this.#foot(plane)[0] + PER_FORCE * force, ARROW], {
+        colour: colours.force,
+        width: 3,
+      });
   }
 
   #trace(plane: Plane, { force, moved }: Lane, column: number, now: number, scale: number): void {
