@@ -1,4 +1,5 @@
 // Grass and earth around a tree, fading into the fields far off. Fragment part of a Lambert material.
+// GROUND_WILD: neither a tree in the middle nor a mower nor a path; what there is of them is left out, as compilers may leave it in.
 in vec3 vGround;
 in vec3 vHaze;
 
@@ -15,6 +16,7 @@ uniform vec4 groundLook;
 // Direction on the ground in which shadows fall (x, z), their length a metre of height, width of their rim a metre of the light's way.
 uniform vec4 groundShade;
 
+#ifndef GROUND_WILD
 // The path runs past the tree on the left, as the default camera sees it, and turns behind it: metres from its middle.
 float pathAway(vec2 p, float reach) {
   const vec2 away = vec2(-0.19866933, -0.98006658);
@@ -24,6 +26,7 @@ float pathAway(vec2 p, float reach) {
   float slope = 0.05 + 0.165 * s * s;
   return abs(v - middle) * inversesqrt(1.0 + slope * slope);
 }
+#endif
 
 vec3 groundDiffuse() {
   // Turned against the axes, or the noise's lattice would show as lines that run from the eye to the horizon.
@@ -31,29 +34,36 @@ vec3 groundDiffuse() {
   vec4 broad = texture(grassMap, p * 0.061 + 0.37);
   // At a flat angle the mip level is that of the long side of a pixel; half of it keeps blades in the foreground.
   vec4 fine = texture(grassMap, p * 0.43, -1.0);
-  float r = length(p);
   vec4 wide = texture(grassMap, p.yx * 0.0131 + 0.11);
   float tone = 0.45 + 1.1 * (fine.r - 0.5) + 0.7 * (broad.g - 0.5) + 0.75 * (wide.b - 0.5);
   tone = mix(0.5, tone, groundLook.x);
+#ifndef GROUND_WILD
   if (groundLook.z > 0.0) {
     float across = dot(vGround.xz, vec2(0.92, -0.39)) * 2.1;
     float stripe = sin(across + 0.5 * (broad.r - 0.5)) * clamp(1.0 - 0.5 * fwidth(across), 0.0, 1.0);
     tone += 0.2 * groundLook.z * stripe;
   }
+#endif
   vec3 c = mix(grassDark, grassLight, clamp(tone, 0.0, 1.0));
   // Dry stalks here, clover there: a meadow is not of one green.
   c *= mix(vec3(1.0), mix(vec3(0.86, 0.98, 0.92), vec3(1.14, 1.02, 0.84), smoothstep(0.3, 0.7, wide.g)), groundLook.x);
-  // Little grows in the shade of the trunk.
-  float bare = 1.0 - smoothstep(groundReach.z * 1.4, groundReach.z * 4.2, r + (broad.r - 0.5) * groundReach.z * 3.0 + (fine.r - 0.5) * groundReach.z * 1.6);
   float patchy = smoothstep(0.62, 0.8, broad.b) * 0.35;
+#ifdef GROUND_WILD
+  float open = patchy * groundLook.y;
+#else
+  // Little grows in the shade of the trunk.
+  float r = length(p);
+  float bare = 1.0 - smoothstep(groundReach.z * 1.4, groundReach.z * 4.2, r + (broad.r - 0.5) * groundReach.z * 3.0 + (fine.r - 0.5) * groundReach.z * 1.6);
   float open = max(bare * 0.8, patchy) * groundLook.y;
   if (groundLook.w > 0.0) {
     float path = pathAway(vGround.xz, groundTree.x) + (broad.g - 0.5) * 0.9 + (fine.r - 0.5) * 0.35;
     open = max(open, groundLook.w * (1.0 - smoothstep(1.05, 1.45, path)));
   }
+#endif
   return mix(c, earth * (0.7 + 0.6 * fine.g), open);
 }
 
+#ifndef GROUND_WILD
 // Light of the sky that reaches the ground: less under the crown, least where the trunk meets it.
 float groundSky() {
   float r = length(vGround.xz);
@@ -65,3 +75,4 @@ float groundSky() {
 float groundFade() {
   return smoothstep(groundReach.x, groundReach.y, distance(vGround, cameraPosition));
 }
+#endif

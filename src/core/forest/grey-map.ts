@@ -64,9 +64,16 @@ function readGrey(bytes: Uint8Array, name: string, kind: string): Grey {
   try {
     return greyOf(decode(bytes), broken);
   } catch (error) {
-    const why = error instanceof Error ? oneLine(error.message, 80) : 'unknown';
+    const why = error instanceof Error ? oneLine(reasonOf(error), 80) : 'unknown';
     return broken(`a PNG picture that is damaged (${why})`, 'a whole PNG picture');
   }
+}
+
+/** What an error says: a message of the decoder that ends in a colon goes on in its cause, or is whole without the colon. */
+function reasonOf({ message, cause }: Error): string {
+  const more = cause instanceof Error ? cause.message : typeof cause === 'string' ? cause : '';
+  if (!message.endsWith(':')) return message;
+  return more === '' ? message.slice(0, -1) : `${message} ${more}`;
 }
 
 type Picture = ReturnType<typeof decode>;

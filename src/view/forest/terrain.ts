@@ -158,7 +158,6 @@ export class Terrain extends Object3D {
       const places = new InstancedBufferAttribute(new Float32Array(3 * 96), 3);
       const mesh = new Mesh(terrainPatch(cells, places), material);
       mesh.frustumCulled = false; // tile by tile
-      mesh.renderOrder = 0.5; // after the trees that hide it, before the sky: no pixel is shaded twice
       mesh.receiveShadow = true;
       mesh.raycast = () => {};
       this.#places.push(places);
