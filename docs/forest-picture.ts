@@ -74,7 +74,7 @@ async function picture({
   } while (!trees.settled);
   for (let step = 1; step <= BLOWN * STEPS; step++) go(time - BLOWN + step / STEPS);
   stage.setTrees(trees.crowns(), trees.litter);
-  stage.blow(trees.windSource(), time);
+  stage.blow(trees.windSource(), time, trees.meanForce);
   stage.render();
   return canvas.toDataURL('image/png');
 }

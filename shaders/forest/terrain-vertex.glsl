@@ -1,6 +1,7 @@
 // A patch of the ground: position.xy on the patch, 0..1; position.z is 1 on the skirt that hides the seams between patches.
 #include /stage/field.glsl
 #include /stage/sky.glsl
+#include /forest/laid.glsl
 #include /forest/terrain-height.glsl
 #include /forest/terrain-slow.glsl
 
@@ -8,6 +9,8 @@
 in vec3 patchPlace;
 
 uniform vec4 groundReach;
+// Mean force of the wind, metres.
+uniform float terrainMean;
 #ifdef TERRAIN_WITHIN
 uniform sampler2D grassMap;
 #endif

@@ -191,7 +191,7 @@ export class World {
     this.#drawn = now;
     this.#longest = 0;
     stage.setStep(forest.step);
-    stage.blow(forest.windSource(), this.clock.time);
+    stage.blow(forest.windSource(), this.clock.time, forest.meanForce);
     stage.render();
     return true;
   }

@@ -124,9 +124,10 @@ export class ForestStage {
     if (sharper) this.resize(...this.#size);
   }
 
-  /** Lets a wind run over the ground from the next rendering on, as it is at `time` seconds. */
-  blow(source: WindSource, time: number): void {
+  /** Lets a wind of a mean force in metres run over the ground from the next rendering on, as it is at `time` seconds. */
+  blow(source: WindSource, time: number, meanForce: number): void {
     this.stage.blow(source, time);
+    this.terrain.meanForce = meanForce;
     this.stage.field.dress(this.terrain.material);
     this.stage.field.dress(this.meadow.material);
   }

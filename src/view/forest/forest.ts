@@ -153,6 +153,11 @@ export class Forest extends Object3D {
     return this.#felt;
   }
 
+  /** Mean force of the wind, metres, as far as it has come. */
+  get meanForce(): number {
+    return this.#far.meanForce.value;
+  }
+
   /** Milliseconds a frame, kept by lowering detail in named steps. */
   get budget(): number {
     return this.#meter.budget;

@@ -47,7 +47,8 @@ vTerrain = transformed.xy;
 vGround = (modelMatrix * vec4(transformed, 1.0)).xyz;
 vHaze = farField(vGround - cameraPosition);
 vSlow = terrainSlow(vTerrain, distance(vGround, cameraPosition));
-vLaid = 1.0 - exp(-6.0 * length(fieldForce(transformed.xy)));`,
+// As crowns are: what a wind does to all grass alike shows no gust.
+vLaid = crownLaid(length(fieldForce(transformed.xy)), terrainMean);`,
     },
   ],
   fragment: [
@@ -55,7 +56,7 @@ vLaid = 1.0 - exp(-6.0 * length(fieldForce(transformed.xy)));`,
     { anchor: '#include <shadowmap_pars_fragment>', after: `${SHADOW_MAP}\n${LOOKS}\n${shadow}\n${normal}` },
     {
       anchor: '#include <map_fragment>',
-      after: 'diffuseColor.rgb *= terrainDiffuse(); diffuseColor.rgb *= 1.0 + 0.22 * vLaid * terrainLight.y;',
+      after: 'diffuseColor.rgb *= terrainDiffuse(); diffuseColor.rgb *= 1.0 + 0.4 * vLaid * terrainLight.y;',
     },
     { anchor: '#include <normal_fragment_begin>', instead: 'vec3 normal = terrainNormal();' },
     // What the eye's direction is does not matter to a Lambert surface: it is not worked out.
@@ -114,6 +115,7 @@ export class Terrain extends Object3D {
     terrainShade: { value: null as Texture | null },
     terrainLitter: { value: new Color('#6b5438') },
     terrainAir: { value: new Vector2(0.001, 1) },
+    terrainMean: { value: 1 },
   };
   readonly #open = openSky();
   readonly #grass: DataTexture;
@@ -179,6 +181,11 @@ export class Terrain extends Object3D {
     this.#own.terrainNormals.value = maps.normals;
     this.#own.terrainPlace.value.set(1 / field.size, maps.cells, maps.edge);
     this.uniforms.groundReach.value.setX(1.2 * field.size).setY(4 * field.size);
+  }
+
+  /** Mean force of the wind, metres: what is more is a gust, which lays the grass over. */
+  set meanForce(metres: number) {
+    this.#own.terrainMean.value = metres;
   }
 
   /** Shade of the trees as a picture of the square from above (GroundShade); null: none. */
