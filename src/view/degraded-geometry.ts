@@ -51,18 +51,6 @@ export function bladeMiddle({ position, index, verticesPerCopy }: LeafMesh): Bla
   return { area, middle: [middle[0] * scale, middle[1] * scale, middle[2] * scale] };
 }
 
-/** The mesh without what belongs to stalks. */
-export function withoutStalks(mesh: LeafMesh): LeafMesh {
-  const { index, blade, trianglesPerCopy } = mesh;
-  const kept: number[] = [];
-  for (let i = 0; i < index.length; i += 3) {
-    const corners = [...index.subarray(i, i + 3)];
-    if (corners.every((corner) => (blade[4 * corner + 3] as number) >= 0)) kept.push(...corners);
-  }
-  const list = index instanceof Uint32Array ? Uint32Array.from(kept) : Uint16Array.from(kept);
-  return { ...mesh, index: list, trianglesPerCopy: Math.round((trianglesPerCopy * kept.length) / index.length) };
-}
-
 /** Leaves as points, `bundle` an instance. */
 export function pointGeometry({ middle }: BladeMiddle, bundle: number, box: Box3): InstancedBufferGeometry {
   const position: number[] = [];

@@ -19,7 +19,7 @@ import { leafSpecOf } from '../core/look/leaf-spec.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
 import { bundleFor, leafGeometry } from './branch-geometry.ts';
-import { bladeMiddle, pointGeometry, withoutStalks } from './degraded-geometry.ts';
+import { bladeMiddle, pointGeometry } from './degraded-geometry.ts';
 import { pointMaterials } from './degraded-materials.ts';
 import type { DegradedHost } from './degraded-tree.ts';
 import { disposeMaterials, dress, leafMaterials, type MaterialSet } from './tree-materials.ts';
@@ -65,7 +65,7 @@ export class DegradedLeaves {
     this.#bundle = bundleFor(tree.leafCount);
     const form = this.#host.kit.leafForm(spec);
     const grain = nearestGrain((g) => formTriangles(form, spec, g));
-    const mesh = withoutStalks(formMesh(form, spec, grain, this.#bundle));
+    const mesh = formMesh(form, spec, grain, this.#bundle, true);
     const one = bladeMiddle(mesh);
     this.#trianglesEach = mesh.trianglesPerCopy;
     this.#part.value.z = one.area;

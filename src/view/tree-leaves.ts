@@ -148,14 +148,17 @@ export class TreeLeaves implements Foliage {
   }
 }
 
+/** Some way off a petiole is a fraction of a pixel wide, and a third of a leaf's vertices. */
+const sessile = (grain: LeafGrain): boolean => grain !== 'near';
+
 function leavesOf(tree: PackedTree, species: Species, kit: TreeKit): LeafLike {
   const { foliage, leaves } = species;
   const spec = leafSpecOf(species);
   const form = kit.leafForm(spec);
   return {
     key: String([spec.shape, spec.margin, spec.width, spec.petiole]),
-    mesh: (grain, bundle) => formMesh(form, spec, grain, bundle),
-    triangles: byGrain((grain) => formTriangles(form, spec, grain)),
+    mesh: (grain, bundle) => formMesh(form, spec, grain, bundle, sessile(grain)),
+    triangles: byGrain((grain) => formTriangles(form, spec, grain, sessile(grain))),
     count: coverCount(tree.leafCount, foliage),
     length: tree.leafLength * foliage.size,
     widthOverLength: leaves.scaleX,

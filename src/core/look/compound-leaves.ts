@@ -1,5 +1,5 @@
 import { type Blade, coveringAs, flatBlade, LEAF_BEND, type LeafForm } from './blade.ts';
-import { LEAFLET, NEEDLE, OBOVATE } from './blade-outlines.ts';
+import { LEAFLET, NEEDLE, OBOVATE, SPIKE } from './blade-outlines.ts';
 import type { HalfOutline, LeafGrain } from './leaf-outline.ts';
 import { PAPER_OUTLINES } from './paper-outlines.ts';
 
@@ -50,13 +50,13 @@ interface FeatherPlan {
 const ASH: FeatherPlan = { pairs: 6, from: 0.1, pitch: 0.8 / 6, turn: 72, lean: 22, broad: 0.5, last: 0.3 };
 const ROSE: FeatherPlan = { pairs: 3, from: 0.14, pitch: 0.22, turn: 66, lean: 14, broad: 0.6, last: 0.4 };
 
-/** From some way off: pairs that are one triangle each, and the leaflet at the end. */
+/** From some way off: pairs that are one triangle each, and another for the leaflet at the end. */
 function chevrons(width: number, pairs: number): Blade[] {
   const pitch = 0.8 / pairs;
   const out = Array.from({ length: pairs }, (_, i) =>
     flatBlade(PAIR, [width * (1 - 0.08 * i), 1.25 * pitch], [0, 0.08 + pitch * i], 0, 0, { ...LEAF_BEND, curl: 0 }),
   );
-  return [...out, flatBlade(LEAFLET.far, [0.36 * width, 0.24], [0, 0.78], 0, 0)];
+  return [...out, flatBlade(SPIKE, [0.32 * width, 0.26], [0, 0.78], 0, 0)];
 }
 
 function feather(width: number, { pairs, from, pitch, turn, lean, broad, last }: FeatherPlan): Blade[] {

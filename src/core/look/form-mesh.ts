@@ -109,23 +109,30 @@ function addPetiole(out: MeshBuilder, petiole: number, stalk = 0.05): void {
   out.index.push(first, first + 2, first + 1);
 }
 
-/** A petiole is drawn near by alone: farther off it is a fraction of a pixel wide, and a third of the leaf's vertices. */
-const hasPetiole = (petiole: number, grain: LeafGrain): boolean => grain === 'near' && petiole > 0;
+/** From afar, or where it is short, a petiole is not drawn. */
+const hasPetiole = (petiole: number, grain: LeafGrain): boolean =>
+  grain === 'near' ? petiole > 0 : grain === 'middle' && petiole > 0.15;
 
 /** Size of a leaf whose form is given. */
 type FormSize = Pick<LeafSpec, 'width' | 'petiole'>;
 
-/** Triangles of one leaf of a form. */
-export function formTriangles(form: LeafForm, { width, petiole }: FormSize, grain: LeafGrain): number {
+/** Triangles of one leaf of a form; `sessile`: without its petiole. */
+export function formTriangles(form: LeafForm, { width, petiole }: FormSize, grain: LeafGrain, sessile = false): number {
   const blades = form.blades(width, grain);
   const all = blades.reduce((sum, { half, ribs }) => sum + (half.length === 2 ? 1 : 2 * (half.length + ribs - 2)), 0);
-  return all + (hasPetiole(petiole, grain) ? 1 : 0);
+  return all + (!sessile && hasPetiole(petiole, grain) ? 1 : 0);
 }
 
-/** The mesh of one leaf of a form, repeated `bundle` times. */
-export function formMesh(form: LeafForm, { width, petiole }: FormSize, grain: LeafGrain, bundle: number): LeafMesh {
+/** The mesh of one leaf of a form, repeated `bundle` times; `sessile`: without its petiole, which leaves a gap for it. */
+export function formMesh(
+  form: LeafForm,
+  { width, petiole }: FormSize,
+  grain: LeafGrain,
+  bundle: number,
+  sessile = false,
+): LeafMesh {
   const one = meshBuilder();
-  if (hasPetiole(petiole, grain)) addPetiole(one, petiole, form.stalk);
+  if (!sessile && hasPetiole(petiole, grain)) addPetiole(one, petiole, form.stalk);
   for (const blade of form.blades(width, grain)) addBlade(one, blade, petiole);
   return bundled(one, bundle);
 }
