@@ -40,7 +40,7 @@ const { values: sizes, positionals } = parseArgs({
     ms: { type: 'string', default: '200' },
     trees: { type: 'string', default: '100' },
     counts: { type: 'string', default: '1,10,100,1000,10000' },
-    out: { type: 'string', default: 'results.md' },
+    out: { type: 'string' },
   },
 });
 
@@ -99,7 +99,8 @@ async function runPage(browser: Browser, url: string): Promise<BenchReport | Fai
   }
 }
 
-const results = join(import.meta.dirname, sizes.out);
+/** Forests have a file of their own: one for all would be too long to read. */
+const fileOf = (name: string): string => sizes.out ?? (name.startsWith('forest-') ? 'results-forest.md' : 'results.md');
 /** The benches by name; `forest` is all parts of its page. */
 const asked = positionals.flatMap((name) =>
   name === 'forest' ? benches.map((each) => each.name).filter((each) => each.startsWith('forest-')) : [name],
@@ -145,12 +146,14 @@ try {
       failures += 1;
       continue;
     }
+    const results = join(import.meta.dirname, fileOf(name));
     const text = existsSync(results) ? readFileSync(results, 'utf8') : head;
+    console.log(`written to bench/${fileOf(name)}`);
     writeFileSync(results, withSection(text, name, sectionText(name, report, circumstances(isPage))));
   }
 } finally {
   await browser.close();
   await server.close();
 }
-console.log(failures > 0 ? `${failures} failed` : `written to bench/${sizes.out}`);
+if (failures > 0) console.log(`${failures} failed`);
 process.exitCode = failures > 0 ? 1 : 0;
