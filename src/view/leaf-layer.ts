@@ -59,7 +59,7 @@ class LeafDraw {
   readonly leafCut = { value: new Vector2(-BEYOND, BEYOND) };
   /** The places that it draws where it does not draw all. */
   readonly list = new ListedLeaves();
-  readonly #sets: { all?: MaterialSet; listed?: MaterialSet } = {};
+  #sets: { all?: MaterialSet; listed?: MaterialSet } = {};
 
   constructor(mesh: TreeMesh) {
     this.mesh = mesh;
@@ -96,8 +96,7 @@ class LeafDraw {
 
   dropMaterials(): void {
     for (const set of Object.values(this.#sets)) disposeMaterials(set);
-    this.#sets.all = undefined;
-    this.#sets.listed = undefined;
+    this.#sets = {};
   }
 
   dispose(): void {

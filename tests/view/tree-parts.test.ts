@@ -1,4 +1,4 @@
-import { type InstancedBufferGeometry, PerspectiveCamera, Sphere } from 'three';
+import { type InstancedBufferGeometry, type Mesh, type MeshStandardMaterial, PerspectiveCamera, Sphere } from 'three';
 import { expect, test } from 'vitest';
 import { growPacked } from '../../src/core/pack/grow-packed.ts';
 import { windBox } from '../../src/view/tree-extent.ts';
@@ -37,6 +37,23 @@ test('a tree that is given after all was freed is drawn whole, leaves and contro
   tree.shown.mode = 'control';
   tree.update(camera(30));
   expect(tree.children.length).toBe(meshes + 1);
+});
+
+test('materials that are dropped twice, with nothing drawn between, or freed after it, are none to the next look', () => {
+  const tree = parts();
+  tree.setTree(packed, species);
+  tree.update(camera(30));
+  for (const channel of ['sway', null, 'sway', null] as const) {
+    tree.setChannel(channel, null);
+    tree.shown.mode = 'wireframe';
+    tree.applyMode();
+  }
+  tree.update(camera(30));
+  const materials = tree.children.map((mesh) => (mesh as Mesh).material as MeshStandardMaterial);
+  expect(materials.every(({ wireframe }) => wireframe)).toBe(true);
+  tree.setChannel('sway', null);
+  tree.dispose();
+  expect(tree.children).toEqual([]);
 });
 
 test('geometry is made anew where it must look another way, and not from frame to frame', () => {
