@@ -1,9 +1,8 @@
 // How a far tree answers the sun: a texel stands for many leaves, some of them in the shade of others and all of them turned otherwise.
+#include /leaf/matter.glsl
 
 // Mean length of the sum of the normals of leaves that a texel shows.
 const float FAR_ALIKE = 0.72;
-// Part of the light that is not mirrored at the surface, as near leaves have it (shaders/leaf/through.glsl).
-const float FAR_ENTERS = 0.95;
 // Metres behind the first leaf in which all are lit as it is; how much more is lost behind them than the mean of the crown says.
 const float FAR_SLACK = 0.35;
 const float FAR_LOST = 1.25;
@@ -42,8 +41,8 @@ void RE_Direct_Far(
   float facing = dot(geometryNormal, directLight.direction);
   vec3 light = directLight.color * lit;
   reflectedLight.directSpecular +=
-    light * (FAR_GLOSS * saturate(facing)) * BRDF_GGX(directLight.direction, geometryViewDir, geometryNormal, material);
-  reflectedLight.directDiffuse += light * farCatch(facing) * (FAR_ENTERS * RECIPROCAL_PI) * material.diffuseColor;
+    light * (FAR_GLOSS * saturate(facing)) * gloss(directLight.direction, geometryViewDir, geometryNormal, material.roughness);
+  reflectedLight.directDiffuse += light * farCatch(facing) * (LEAF_ENTERS * RECIPROCAL_PI) * material.diffuseColor;
   float behind = farCatch(-facing);
   float towards = saturate(-dot(geometryViewDir, directLight.direction));
   towards *= towards;
@@ -52,14 +51,3 @@ void RE_Direct_Far(
 }
 #undef RE_Direct
 #define RE_Direct RE_Direct_Far
-#ifndef USE_ENVMAP
-void RE_IndirectDiffuse_Far(
-  const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal,
-  const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material,
-  inout ReflectedLight reflectedLight
-) {
-  reflectedLight.indirectDiffuse += irradiance * (FAR_ENTERS * RECIPROCAL_PI) * material.diffuseColor;
-}
-#undef RE_IndirectDiffuse
-#define RE_IndirectDiffuse RE_IndirectDiffuse_Far
-#endif

@@ -57,7 +57,6 @@ const drawing = new Set([
   'RE_Direct_Leaf',
   'RE_IndirectDiffuse_Leaf',
   'RE_Direct_Far',
-  'RE_IndirectDiffuse_Far',
   'farLit',
   'farCatch',
   'farWay',
