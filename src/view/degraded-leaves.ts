@@ -13,7 +13,7 @@ import { leafPrefixes } from '../core/lod/draw-counts.ts';
 import type { Fractions } from '../core/lod/fractions.ts';
 import { formMesh, formTriangles } from '../core/look/form-mesh.ts';
 import { coverCount } from '../core/look/leaf-count.ts';
-import { leafGrowth } from '../core/look/leaf-growth.ts';
+import { growthWidth, leafGrowth } from '../core/look/leaf-growth.ts';
 import type { LeafGrain } from '../core/look/leaf-outline.ts';
 import { leafSpecOf } from '../core/look/leaf-spec.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
@@ -86,7 +86,7 @@ export class DegradedLeaves {
     this.triangles = Math.round(polygons) * this.#trianglesEach;
     this.dots = Math.round(points);
     if (count === 0) return;
-    const [growX, growY] = leafGrowth(Math.max(polygons, points) / there, species.leaves.scaleX);
+    const [growX, growY] = leafGrowth(Math.max(polygons, points) / there, growthWidth(leafSpecOf(species)));
     const length = tree.leafLength * species.foliage.size;
     this.#size.value.set(growX * length, growY * length);
     this.#part.value.x = polygons;

@@ -1,12 +1,13 @@
 import { Color, type PerspectiveCamera, Vector3, Vector4 } from 'three';
 import { coverCount, organCount } from '../core/look/leaf-count.ts';
+import { growthWidth, leafGrowth } from '../core/look/leaf-growth.ts';
 import { leafRamp, leafTurn } from '../core/look/leaf-look.ts';
+import { leafSpecOf } from '../core/look/leaf-spec.ts';
 import { hashPcg, hashUnit } from '../core/math/hash.ts';
 import { BRANCH_LAYERS, TEXEL } from '../core/pack/layout.ts';
 import { leafTexel } from '../core/pack/leaf-texel.ts';
 import type { PackedTree } from '../core/pack/packed.ts';
 import type { Species } from '../core/species/species.ts';
-import { leafGrowth } from './detail.ts';
 import { css, lookAt } from './stage-look.ts';
 
 /** What a still picture shows, and from where. */
@@ -193,7 +194,7 @@ function foliage(
   const there = coverCount(tree.leafCount, look);
   const borne = organCount(tree.leafCount, organ);
   const [count, organs] = [Math.min(there, MOST_LEAVES), Math.min(borne, MOST_LEAVES)];
-  const [growX, growY] = leafGrowth(count / Math.max(there, 1), leaves.scaleX);
+  const [growX, growY] = leafGrowth(count / Math.max(there, 1), growthWidth(leafSpecOf({ leaves, foliage: look })));
   const shades = (colour: Color): string[] => ramp(colour, dark ? 0.15 : 0.35, dark ? 0.7 : 1.25);
   // How far a leaf has turned, in quarters.
   const turned = [0, 0.25, 0.5, 0.75, 1].map((t) =>

@@ -3,6 +3,7 @@ import { formLight } from '../core/look/form-light.ts';
 import { formMesh, formTriangles } from '../core/look/form-mesh.ts';
 import type { GroveLight } from '../core/look/grove-light.ts';
 import { coverCount, organCount } from '../core/look/leaf-count.ts';
+import { growthWidth } from '../core/look/leaf-growth.ts';
 import { leafThin } from '../core/look/leaf-look.ts';
 import type { LeafGrain } from '../core/look/leaf-outline.ts';
 import { leafPoints } from '../core/look/leaf-points.ts';
@@ -152,7 +153,7 @@ export class TreeLeaves implements Foliage {
 const sessile = (grain: LeafGrain): boolean => grain !== 'near';
 
 function leavesOf(tree: PackedTree, species: Species, kit: TreeKit): LeafLike {
-  const { foliage, leaves } = species;
+  const { foliage } = species;
   const spec = leafSpecOf(species);
   const form = kit.leafForm(spec);
   return {
@@ -161,7 +162,7 @@ function leavesOf(tree: PackedTree, species: Species, kit: TreeKit): LeafLike {
     triangles: byGrain((grain) => formTriangles(form, spec, grain, sessile(grain))),
     count: coverCount(tree.leafCount, foliage),
     length: tree.leafLength * foliage.size,
-    widthOverLength: leaves.scaleX,
+    widthOverLength: growthWidth(spec),
     roughness: foliage.roughness,
     points: () => leafPoints(tree, tree.leafCount),
   };

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import { leafGrowth } from '../../src/core/look/leaf-growth.ts';
 import { type LeafGrain, leafTriangles } from '../../src/core/look/leaf-mesh.ts';
-import { gridDetail, leafGrain, leafGrowth, leavesDrawn, nearDepth } from '../../src/view/detail.ts';
+import { gridDetail, leafGrain, leavesDrawn, nearDepth } from '../../src/view/detail.ts';
 
 describe('leaf budget', () => {
   it('keeps the cover: width times length grows as the leaves get fewer, a little less as they overlap less', () => {

@@ -1,4 +1,4 @@
-import { bladeArea } from '../look/blade.ts';
+import { formArea } from '../look/blade.ts';
 import { leafForm, leafSpecOf } from '../look/leaf-shapes.ts';
 import { BRANCH_LAYERS, TEXEL } from '../pack/layout.ts';
 import type { PackedTree } from '../pack/packed.ts';
@@ -30,7 +30,7 @@ export function crownDensity(tree: PackedTree, species: Species): number {
   const { foliage } = species;
   const spec = leafSpecOf(species);
   const length = tree.leafLength * foliage.size;
-  const area = bladeArea(leafForm(spec).blades(spec.width, 'far')) * length * length * foliage.cover * tree.leafCount;
+  const area = formArea(leafForm(spec), spec.width, 'far') * length * length * foliage.cover * tree.leafCount;
   const [rx, ry, rz] = tree.crown.subarray(3, 6) as unknown as [number, number, number];
   return (HIDES * area + WOOD * woodArea(tree)) / ((4 / 3) * Math.PI * rx * ry * rz);
 }

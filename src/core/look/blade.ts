@@ -70,9 +70,24 @@ export function axisBlade(
   };
 }
 
+/** A needle some way off: a triangle whose foot lies along the shoot, the z axis, where it shares its corners with its neighbours. */
+export interface Tooth {
+  /** Where its foot begins and ends. */
+  readonly foot: readonly [number, number];
+  readonly tip: Vector;
+}
+
 /** Area of some blades, as if they were flat. */
 export const bladeArea = (blades: readonly Blade[]): number =>
   blades.reduce((sum, { half, width, length }) => sum + outlineArea(half) * width * length, 0);
+
+/** Area of some teeth. */
+export const toothArea = (teeth: readonly Tooth[]): number =>
+  teeth.reduce((sum, { foot, tip }) => sum + 0.5 * (foot[1] - foot[0]) * Math.hypot(tip[0], tip[1]), 0);
+
+/** Area of a leaf of a form. */
+export const formArea = ({ blades, teeth }: LeafForm, width: number, grain: LeafGrain): number =>
+  bladeArea(blades(width, grain)) + toothArea(teeth?.(width, grain) ?? []);
 
 /** `coarse` with blades so wide that they cover as much as those of `near`. */
 export function coveringAs(near: readonly Blade[], coarse: readonly Blade[]): readonly Blade[] {
@@ -93,4 +108,6 @@ export interface LeafForm {
   readonly stalk?: number;
   /** Blades of a leaf `width` times as wide as long. */
   readonly blades: (width: number, grain: LeafGrain) => readonly Blade[];
+  /** What stands for them, or beside them, in a coarser grain, in the order of their feet. */
+  readonly teeth?: (width: number, grain: LeafGrain) => readonly Tooth[];
 }

@@ -48,16 +48,18 @@ interface FeatherPlan {
 }
 
 const ASH: FeatherPlan = { pairs: 6, from: 0.1, pitch: 0.8 / 6, turn: 72, lean: 22, broad: 0.5, last: 0.3 };
-const ROSE: FeatherPlan = { pairs: 3, from: 0.14, pitch: 0.22, turn: 66, lean: 14, broad: 0.6, last: 0.4 };
+const ROSE: FeatherPlan = { pairs: 3, from: 0.14, pitch: 0.22, turn: 66, lean: 14, broad: 0.5, last: 0.4 };
 
-/** From some way off: pairs that are one triangle each, and another for the leaflet at the end. */
+/** From some way off: pairs that are one triangle each. */
 function chevrons(width: number, pairs: number): Blade[] {
   const pitch = 0.8 / pairs;
-  const out = Array.from({ length: pairs }, (_, i) =>
+  return Array.from({ length: pairs }, (_, i) =>
     flatBlade(PAIR, [width * (1 - 0.08 * i), 1.25 * pitch], [0, 0.08 + pitch * i], 0, 0, { ...LEAF_BEND, curl: 0 }),
   );
-  return [...out, flatBlade(SPIKE, [0.32 * width, 0.26], [0, 0.78], 0, 0)];
 }
+
+/** The leaflet at the end, beyond chevrons. */
+const endLeaflet = (width: number): Blade => flatBlade(SPIKE, [0.32 * width, 0.26], [0, 0.78], 0, 0);
 
 function feather(width: number, { pairs, from, pitch, turn, lean, broad, last }: FeatherPlan): Blade[] {
   const out: Blade[] = [rachis()];
@@ -83,9 +85,7 @@ const featherForm = (name: string, plan: FeatherPlan): LeafForm => ({
     const near = feather(width, plan);
     if (grain === 'near') return near;
     const coarse =
-      grain === 'middle'
-        ? chevrons(width, Math.min(4, plan.pairs))
-        : [flatBlade(LEAFLET.far, [width, 1], [0, 0], 0, 0)];
+      grain === 'middle' ? [...chevrons(width, Math.min(4, plan.pairs)), endLeaflet(width)] : chevrons(width, 2);
     return coveringAs(near, coarse);
   },
 });

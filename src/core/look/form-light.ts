@@ -1,6 +1,6 @@
 import type { PackedTree } from '../pack/packed.ts';
 import type { Species } from '../species/species.ts';
-import { bladeArea, type LeafForm } from './blade.ts';
+import { formArea, type LeafForm } from './blade.ts';
 import { type CrownLight, crownLight } from './crown-light.ts';
 import { leafPoints } from './leaf-points.ts';
 
@@ -11,6 +11,6 @@ const MOST = 12_000;
 export function formLight(tree: PackedTree, { foliage, leaves }: Species, form: LeafForm): CrownLight {
   const length = tree.leafLength * foliage.size;
   const points = leafPoints(tree, MOST);
-  const each = bladeArea(form.blades(leaves.scaleX, 'far')) * length * length * foliage.cover;
+  const each = formArea(form, leaves.scaleX, 'far') * length * length * foliage.cover;
   return crownLight(points, (each * 3 * tree.leafCount) / Math.max(points.length, 1));
 }

@@ -1,5 +1,16 @@
-import { axisBlade, type Blade, coveringAs, FLAT, flatBlade, type LeafForm } from './blade.ts';
-import { NEEDLE, SPIKE } from './blade-outlines.ts';
+import {
+  axisBlade,
+  type Blade,
+  bladeArea,
+  coveringAs,
+  FLAT,
+  flatBlade,
+  type LeafForm,
+  type Tooth,
+  toothArea,
+  type Vector,
+} from './blade.ts';
+import { NEEDLE } from './blade-outlines.ts';
 import type { LeafGrain } from './leaf-outline.ts';
 
 /** The angle from leaf to leaf that leaves no two above each other, degrees. */
@@ -30,70 +41,126 @@ export const SINGLE_NEEDLE = covering('needle', (width, grain) => [
   flatBlade(NEEDLE[grain], [width, 1], [0, 0], 0, 0, { fold: 0.3, arch: 0, curl: 0.06 }),
 ]);
 
-/** About 20 needles that radiate from a short shoot: larch, cedar. Its length is the needles'; `width` 1 is round. */
-export const ROSETTE = covering('rosette of needles', (width, grain) => {
-  const count = pick(grain, 21, 13, 3);
-  return Array.from({ length: count }, (_, i): Blade => {
-    // Even on the part of a sphere from near the axis to a little below a right angle.
+/** A needle by its length, its tilt from the shoot and its place around it, degrees. */
+type Needle = readonly [length: number, tilt: number, around: number];
+
+/** Where the tip of a needle is whose foot is at height z. */
+function tipOf([length, tilt, around]: Needle, z: number): Vector {
+  const [t, a] = [(tilt * Math.PI) / 180, (around * Math.PI) / 180];
+  const away = length * Math.sin(t);
+  return [away * Math.cos(a), away * Math.sin(a), z + length * Math.cos(t)];
+}
+
+/** Needles that leave one place, so broad there that they cover `area`, unless they are too close to one another for that. */
+function tuft(area: number, tips: readonly Vector[]): Tooth[] {
+  const thin = tips.map((tip): Tooth => ({ foot: [0, 1], tip }));
+  const broad = Math.min(1, area / toothArea(thin));
+  return thin.map(({ tip }) => ({ foot: [0, broad], tip }));
+}
+
+/** Needles of a rosette, even on the part of a sphere from near the axis to a little below a right angle. */
+const radiating = (count: number): Needle[] =>
+  Array.from({ length: count }, (_, i) => {
     const tilt = (Math.acos(0.93 - 1.08 * ((i + 0.5) / count)) * 180) / Math.PI;
-    const length = 0.86 + 0.14 * Math.sin(2.4 * i);
-    const blade = axisBlade(
-      grain === 'near' ? NEEDLE.middle : SPIKE,
-      [NEEDLE_WIDTH.rosette, length],
-      0,
-      tilt,
-      GOLDEN * i,
-      {
-        ...FLAT,
-        curl: 0.08,
-      },
-    );
-    return stretched(blade, width);
+    return [0.86 + 0.14 * Math.sin(2.4 * i), tilt, GOLDEN * i];
   });
-});
+
+const rosette = (width: number): Blade[] =>
+  radiating(21).map(([length, tilt, around]) =>
+    stretched(
+      axisBlade(NEEDLE.middle, [NEEDLE_WIDTH.rosette, length], 0, tilt, around, { ...FLAT, curl: 0.08 }),
+      width,
+    ),
+  );
+
+/** About 20 needles that radiate from a short shoot: larch, cedar. Its length is the needles'; `width` 1 is round. */
+export const ROSETTE: LeafForm = {
+  name: 'rosette of needles',
+  veins: 'none',
+  blades: (width, grain) => (grain === 'near' ? rosette(width) : []),
+  teeth: (width, grain) => {
+    if (grain === 'near') return [];
+    const tips = radiating(pick(grain, 0, 13, 6)).map((needle) => tipOf(needle, 0));
+    return tuft(
+      bladeArea(rosette(width)),
+      tips.map(([x, y, z]): Vector => [width * x, width * y, z]),
+    );
+  },
+};
+
+/** Needles of a bundle, `width` between their tips; every other one stands within the rest where there are six. */
+function bundled(width: number, count: number): Needle[] {
+  const spread = (Math.atan(0.5 * width) * 180) / Math.PI;
+  return Array.from({ length: count }, (_, i) => {
+    const inner = count === 6 && i % 2 === 1;
+    return [inner ? 0.94 : 1, spread * (inner ? 0.45 : 1), (360 / count) * i + 24];
+  });
+}
+
+const bundleBlades = (width: number): Blade[] =>
+  bundled(width, 6).map(([length, tilt, around]) =>
+    axisBlade(NEEDLE.near, [NEEDLE_WIDTH.bundle, length], 0, tilt, around, { ...FLAT, curl: -0.04 }),
+  );
 
 /** Two or three long needles from one sheath, drawn as six so that few bundles make a dense shoot: pine. `width`: between their tips. */
-export const BUNDLE_OF_NEEDLES = covering('bundle of needles', (width, grain) => {
-  const count = pick(grain, 6, 3, 2);
-  const spread = (Math.atan(0.5 * width) * 180) / Math.PI;
-  return Array.from({ length: count }, (_, i): Blade => {
-    const inner = count > 3 && i % 2 === 1;
-    return axisBlade(
-      NEEDLE[grain],
-      [NEEDLE_WIDTH.bundle, inner ? 0.94 : 1],
-      0,
-      spread * (inner ? 0.45 : 1),
-      (360 / count) * i + 24,
-      { ...FLAT, curl: -0.04 },
-    );
-  });
-});
+export const BUNDLE_OF_NEEDLES: LeafForm = {
+  name: 'bundle of needles',
+  veins: 'none',
+  blades: (width, grain) => (grain === 'near' ? bundleBlades(width) : []),
+  teeth: (width, grain) =>
+    grain === 'near'
+      ? []
+      : tuft(
+          bladeArea(bundleBlades(width)),
+          bundled(width, pick(grain, 0, 6, 4)).map((needle) => tipOf(needle, 0)),
+        ),
+};
 
-/** A short shoot with needles all around, pointing forward: spruce, fir, yew, juniper. `width`: of the whole shoot. */
-export const SPRIG = covering('sprig of needles', (width, grain) => {
-  if (grain === 'far') {
-    return [20, 110].map((around) => axisBlade(NEEDLE.far, [0.2, 1], 0, 3, around));
-  }
-  const count = pick(grain, 30, 8, 0);
-  // Fewer needles on a wider shoot keep the shape of the whole.
-  const shoot = grain === 'near' ? 0.022 : 0.045;
-  const needle = grain === 'near' ? NEEDLE.middle : SPIKE;
-  const out: Blade[] = [axisBlade(NEEDLE.far, [shoot, 0.98], 0, 0, 0)];
-  for (let i = 0; i < count; i++) {
-    const along = (i + 0.5) / count;
-    // Needles near the tip lie closer to the shoot and close it.
-    const tilt = 62 - 40 * along ** 3;
-    const length = ((0.5 * width) / 0.85) * (0.82 + 0.36 * Math.sin(Math.PI * (0.15 + 0.7 * along)) - 0.16 * along);
-    const z = 0.9 * along;
-    out.push(
-      axisBlade(needle, [Math.min(NEEDLE_WIDTH.sprig * length, THICKEST), length], z, tilt, GOLDEN * i, {
-        ...FLAT,
-        curl: 0.1,
-      }),
-    );
+/** Needles of a sprig, near by. */
+const SPRIG_NEEDLES = 30;
+
+/** Length and tilt from the shoot, degrees, of the needle that stands `along` the shoot, 0..1: those near the tip lie closer to it and close it. */
+function sprigNeedle(width: number, along: number): readonly [length: number, tilt: number] {
+  const shape = 0.82 + 0.36 * Math.sin(Math.PI * (0.15 + 0.7 * along)) - 0.16 * along;
+  return [((0.5 * width) / 0.85) * shape, 62 - 40 * along ** 3];
+}
+
+function sprig(width: number): Blade[] {
+  const out: Blade[] = [axisBlade(NEEDLE.far, [0.022, 0.98], 0, 0, 0)];
+  for (let i = 0; i < SPRIG_NEEDLES; i++) {
+    const along = (i + 0.5) / SPRIG_NEEDLES;
+    const [length, tilt] = sprigNeedle(width, along);
+    const size = [Math.min(NEEDLE_WIDTH.sprig * length, THICKEST), length] as const;
+    out.push(axisBlade(NEEDLE.middle, size, 0.9 * along, tilt, GOLDEN * i, { ...FLAT, curl: 0.1 }));
   }
   return out;
-});
+}
+
+/** Part of the area of a sprig's needles that is not hidden by others of it. */
+const SEEN = 0.85;
+
+/** Some way off: a brush of teeth, whose silhouette is a shoot's and not a leaf's. They reach as far out as covers what the needles do. */
+function brush(width: number, grain: LeafGrain): Tooth[] {
+  // Wide shoots need more of them to cover as much.
+  const rows = width < 0.45 ? 1 : 2;
+  const segments = pick(grain, 0, rows === 1 ? 8 : 5, rows === 1 ? 4 : 3);
+  const teeth = Array.from({ length: rows * segments }, (_, i): Tooth => {
+    const [low, high] = [Math.floor(i / rows) / segments, (Math.floor(i / rows) + 1) / segments];
+    const along = (low + high) / 2;
+    const tip = tipOf([...sprigNeedle(width, along), GOLDEN * i], 0.9 * along);
+    return { foot: [0.9 * low, 0.9 * high], tip };
+  });
+  const reach = (SEEN * bladeArea(sprig(width))) / toothArea(teeth);
+  return teeth.map(({ foot, tip: [x, y, z] }) => ({ foot, tip: [reach * x, reach * y, z] }));
+}
+
+/** A short shoot with needles all around, pointing forward: spruce, fir, pine, yew, juniper. `width`: of the whole shoot. */
+export const SPRIG: LeafForm = {
+  name: 'sprig of needles',
+  veins: 'none',
+  blades: (width, grain) => (grain === 'near' ? sprig(width) : []),
+  teeth: (width, grain) => (grain === 'near' ? [] : brush(width, grain)),
+};
 
 /** A flat spray of branchlets covered with scales: cedar, cypress, arborvitae. `width`: of the whole spray. */
 export const SCALES = covering('spray of scales', (width, grain) => {

@@ -1,5 +1,5 @@
 import { coverCount } from '../look/leaf-count.ts';
-import { leafGrowth } from '../look/leaf-growth.ts';
+import { growthWidth, leafGrowth } from '../look/leaf-growth.ts';
 import { type LeafGrain, type LeafSpec, leafMesh } from '../look/leaf-mesh.ts';
 import { leafSpecOf } from '../look/leaf-shapes.ts';
 import { bezierPoint, type Cubic } from '../math/bezier.ts';
@@ -49,15 +49,16 @@ export interface LeafPlacementOptions {
 /** The leaves of a grown tree as they are drawn, or null where none is left. */
 export function placeLeaves(grown: GrownPacked, options: LeafPlacementOptions): LeafPlacements | null {
   const { packed, tree } = grown;
-  const { leaves, foliage } = tree.species;
+  const { foliage } = tree.species;
+  const spec = leafSpecOf(tree.species);
   const there = coverCount(packed.leafCount, foliage);
   const drawn = Math.min(Math.ceil((options.share ?? 1) * there), Math.max(0, Math.floor(options.most)));
   if (drawn === 0) return null;
-  const [growX, growY] = leafGrowth(drawn / there, leaves.scaleX);
+  const [growX, growY] = leafGrowth(drawn / there, growthWidth(spec));
   const length = packed.leafLength * foliage.size;
   const placed = placeFirst(grown, drawn, options);
   const size = [growX * length, growY * length] as const;
-  return placed && { leaf: outlineMesh(leafSpecOf(tree.species), options.grain, size), ...placed };
+  return placed && { leaf: outlineMesh(spec, options.grain, size), ...placed };
 }
 
 /** The first `drawn` places of the leaves' draw order, less those on stems that are left out; null where none is left. */

@@ -105,6 +105,34 @@ describe.each(LEAF_FORMS.map((form, i) => [form.name, i] as const))('leaf: %s', 
   });
 });
 
+describe.each([12, 13, 14])('needles of shape %i, some way off', (shape) => {
+  it.each(['middle', 'far'] as const)(
+    'are thin, point to all sides, and share the corners of their feet: %s',
+    (grain) => {
+      const { position, index, verticesPerCopy, trianglesPerCopy } = leafMesh(spec(shape), grain, 1);
+      expect(trianglesPerCopy).toBeGreaterThanOrEqual(4);
+      expect(verticesPerCopy).toBeLessThan(2.3 * trianglesPerCopy + 1);
+      const tips: Vector[] = [];
+      for (let t = 0; t < index.length; t += 3) {
+        const corners = [0, 1, 2].map((k) => point(position, index[t + k]!)) as [Vector, Vector, Vector];
+        // Two corners on the shoot, one that is not.
+        const off = corners.filter(([x, y]) => Math.hypot(x, y) > 1e-6);
+        expect(off).toHaveLength(1);
+        tips.push(off[0]!);
+      }
+      const quarters = new Set(tips.map(([x, y]) => (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0)));
+      expect(quarters.size).toBeGreaterThanOrEqual(3);
+    },
+  );
+});
+
+it.each(NEEDLES)('needles of shape %i stay within their length however narrow they stand', (shape) => {
+  for (const grain of GRAINS) {
+    const { position } = leafMesh({ shape, width: 0.01, petiole: 0 }, grain, 1);
+    for (const value of position) expect(Math.abs(value)).toBeLessThan(1.12);
+  }
+});
+
 describe('leaf mesh', () => {
   it('numbers the copies of a bundle', () => {
     const one = leafMesh(spec(0, 0.5), 'middle', 1);
