@@ -29,6 +29,19 @@ test('stands among directional, spot and point lights with shadows, in fog, with
   expect(clipped).toBeGreaterThan(0.003);
 });
 
+test('lights leaves at their corners as pixel by pixel, by one sun and the sky', async ({ page }) => {
+  const { whole, near } = await ask(page, 'corners');
+  for (const [{ changed, mean, reach }, most] of [
+    [whole!, 7.3],
+    [near!, 3.5],
+  ] as const) {
+    // Leaves are in the picture, two programs drew them, and nobody could tell: of 255, on the mean of what leaves cover.
+    expect(reach).toBeGreaterThan(0.005);
+    expect(changed).toBeGreaterThan(0);
+    expect(mean / reach).toBeLessThan(most);
+  }
+});
+
 test('its shadow sways with the wind and stands without', async ({ page }) => {
   const seen = await ask(page, 'shadows');
   expect(seen['wind against no shadow']).toBeGreaterThan(0.05);

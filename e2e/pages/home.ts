@@ -133,6 +133,33 @@ const home = {
     return result;
   },
 
+  /** Part of the picture, and how much of 255, by which leaves differ that are lit at their corners from those lit pixel by pixel, whole and near. */
+  corners() {
+    const windTree = newTree();
+    const scene = litScene(windTree);
+    const dark = new PointLight('#ffffff', 0);
+    const views = {
+      whole,
+      near: () => look(new Vector3(1.5, 9, 3.5), new Vector3(0, 9, 0)),
+    };
+    const result: Record<string, { changed: number; mean: number; reach: number }> = {};
+    for (const [name, go] of Object.entries(views)) {
+      go();
+      const plain = draw(scene, [windTree], 1);
+      // A lamp that gives no light asks for pixels all the same.
+      scene.add(dark);
+      const byPixel = draw(scene, [windTree], 1);
+      windTree.showLeaves = false;
+      const bare = draw(scene, [windTree], 1);
+      windTree.showLeaves = true;
+      scene.remove(dark);
+      const sum = plain.reduce((all, value, i) => all + Math.abs(value - byPixel[i]!), 0);
+      result[name] = { changed: changed(plain, byPixel), mean: sum / plain.length, reach: changed(byPixel, bare) };
+    }
+    windTree.dispose();
+    return result;
+  },
+
   /** Only the ground and the tree's shadow are in the picture. */
   shadows() {
     const trees = { wind: newTree(), still: newTree('still') };

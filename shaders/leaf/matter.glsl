@@ -1,3 +1,5 @@
+#ifndef LEAF_MATTER
+#define LEAF_MATTER
 // What light does at a leaf, near by and far off, without three's table of what rough surfaces mirror.
 // Part of the light that is not mirrored at the surface.
 #define LEAF_ENTERS 0.95
@@ -14,7 +16,7 @@ float gloss(vec3 light, vec3 eye, vec3 normal, float roughness) {
   float aslant2 = aslant * aslant;
   return (0.04 + 0.96 * aslant2 * aslant2 * aslant) * (0.25 * RECIPROCAL_PI) * a2 / (spread * spread * max(open * open, 0.05));
 }
-#ifndef USE_ENVMAP
+#if !defined(USE_ENVMAP) && defined(RE_IndirectDiffuse)
 void RE_IndirectDiffuse_Leaf(
   const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal,
   const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material,
@@ -24,4 +26,5 @@ void RE_IndirectDiffuse_Leaf(
 }
 #undef RE_IndirectDiffuse
 #define RE_IndirectDiffuse RE_IndirectDiffuse_Leaf
+#endif
 #endif

@@ -1,7 +1,5 @@
 import type { LeafGrain } from '../core/look/leaf-mesh.ts';
 
-export { leafGrowth } from '../core/look/leaf-growth.ts';
-
 /** How finely a tree is drawn: by size on screen, or always finer or coarser than that. */
 export type Detail = 'auto' | 'high' | 'low';
 
@@ -14,15 +12,15 @@ export interface GridDetail {
 /** Factor on sizes in pixels. */
 const FACTOR: Record<Detail, number> = { auto: 1, high: 4, low: 0.4 };
 
-/** Least radius in pixels of each step, and its sectors: a polygon's flat sides stay below about half a pixel. */
+/** Least radius in pixels of each step, and its sectors: a polygon's flat sides stay below about a pixel. */
 const SECTORS: readonly (readonly [number, number])[] = [
   [300, 48],
   [130, 36],
   [48, 24],
-  [20, 16],
-  [8, 12],
-  [3.5, 8],
-  [2.4, 6],
+  [24, 16],
+  [10, 12],
+  [4, 8],
+  [3, 6],
 ];
 
 /** Bands of a piece by level: trunks carry the flare, deeper pieces are short and nearly straight. */
@@ -47,7 +45,7 @@ export function gridDetail(level: number, radius: number, pieces: number, detail
   const relief =
     slenderness > 0 ? reliefGrid(radius * FACTOR[detail], slenderness, RELIEF_TRIANGLES[detail] / pieces) : null;
   if (relief) return relief;
-  const grid = gridFor(level, radius * FACTOR[detail]);
+  const grid = gridFor(level, radius * FACTOR[detail], pieces);
   // Blades of grass are trunks as well: where there are too many for tubes even of the thinnest, they are ribbons too.
   if (radius < 1e-3) return { ...grid, sectors: 1 };
   if (grid.sectors === 1 || pieces * grid.sectors * grid.bands * 2 <= STEM_TRIANGLES[detail]) return grid;
@@ -70,17 +68,21 @@ function reliefGrid(pixels: number, slenderness: number, triangles: number): Gri
   return null;
 }
 
-function gridFor(level: number, pixels: number): GridDetail {
+function gridFor(level: number, pixels: number, pieces: number): GridDetail {
   // The flare of a trunk that is as thin as a branch is a pixel or two: bushes have many of those.
   const as = level === 0 && pixels < SLIGHT ? 1 : level;
   const bands = BANDS[Math.min(as, BANDS.length - 1)] as readonly [number, number];
   const step = SECTORS.find(([least]) => pixels >= least);
-  // A trunk stays round: its lobes and its shadow show even where it is thin.
-  const sectors = step ? step[1] : level === 0 ? 6 : 1;
-  // A twig less than a pixel thick is some twenty pixels long: two straight parts follow its curve.
-  const banded = pixels >= 3.5 ? bands[0] : bands[1];
-  return { sectors, bands: sectors === 1 && pixels < (level > 1 ? 1 : 0.2) ? Math.min(2, banded) : banded };
+  // A trunk stays round: its lobes and its shadow show even where it is thin. Canes, of which there are many, are as branches.
+  const sectors = step ? step[1] : level === 0 && pieces < CANES ? 6 : 1;
+  const banded = pixels >= 4 ? bands[0] : bands[1];
+  if (sectors > 1 || pixels >= 1) return { sectors, bands: banded };
+  // A twig less than a pixel thick is some twenty pixels long, a branch twice that: few straight parts follow their curve.
+  return { sectors, bands: Math.min(banded, level > 1 || pixels < 0.2 ? 2 : 4) };
 }
+
+/** Pieces of trunks from which on they are the canes of a shrub. */
+const CANES = 16;
 
 /** Radius in pixels below which stems are drawn as fewer and wider ones, and the part of them that is always drawn. */
 const LEAST_STEM = 0.35;

@@ -1,8 +1,10 @@
 import { type Box3, type Camera, type IUniform, type MeshStandardMaterial, type Object3D, Vector2 } from 'three';
+import { leafGrowth } from '../core/look/leaf-growth.ts';
 import type { LeafGrain, LeafMesh } from '../core/look/leaf-mesh.ts';
 import { BUNDLE, bundleFor, type LeafShadow, leafGeometry, recount } from './branch-geometry.ts';
 import type { channelUniforms } from './channel-look.ts';
-import { leafGrain, leafGrowth, leavesCasting, leavesDrawn, nearDepth, nearMost } from './detail.ts';
+import { leafGrain, leavesCasting, leavesDrawn, nearDepth, nearMost } from './detail.ts';
+import { LIT_AT_CORNERS } from './leaf-shader.ts';
 import { ListedLeaves, type ListWish } from './listed-leaves.ts';
 import type { TreeKit } from './tree-kit.ts';
 import { disposeMaterials, dress, leafMaterials, type MaterialSet } from './tree-materials.ts';
@@ -301,7 +303,15 @@ export class LeafLayer {
   #dress(draw: LeafDraw, kind: 'near' | 'far', listed: boolean): void {
     draw.dress(listed, (defines, uniforms) => {
       const { shared, channelLook, shown } = this.#host;
-      const all = ['LEAF_CUT', ...defines, ...this.#defines[kind], ...this.#host.viewDefines()];
+      const near = kind === 'near' ? ['LEAF_NEAR'] : [];
+      const all = [
+        'LEAF_CUT',
+        ...LIT_AT_CORNERS,
+        ...near,
+        ...defines,
+        ...this.#defines[kind],
+        ...this.#host.viewDefines(),
+      ];
       const set = leafMaterials(all, { ...shared, ...channelLook, ...this.#look, ...uniforms }, this.#cast);
       set.standard.roughness = (this.#thing as LeafLike).roughness;
       set.standard.wireframe = shown.mode === 'wireframe';

@@ -36,7 +36,7 @@ export function branchMaterials(defines: readonly string[], uniforms: Record<str
   return { standard, depth, distance };
 }
 
-/** Materials for leaves and organs. `defines`: LEAF_VEINS, LEAF_ORGAN, LEAF_LISTED (in the picture alone). `cast`: uniforms that are others in shadow maps. */
+/** Materials for leaves and organs. `defines`: LEAF_NEAR, LEAF_VEINS, LEAF_ORGAN, LEAF_LIT, LEAF_LISTED (in the picture alone). `cast`: uniforms that are others in shadow maps. */
 export function leafMaterials(
   defines: readonly string[],
   uniforms: Record<string, IUniform>,

@@ -54,6 +54,7 @@ function fault({ file, name, doc, twin }: GlslFunction): string | undefined {
 /** Functions that draw rather than compute: three's own hooks and what only they call, which pictures judge. */
 const drawing = new Set([
   'gloss',
+  'leafAnswer',
   'RE_Direct_Leaf',
   'RE_IndirectDiffuse_Leaf',
   'RE_Direct_Far',

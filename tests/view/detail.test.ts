@@ -11,6 +11,8 @@ describe('grid of a level', () => {
 
   it('keeps a trunk round', () => {
     expect(gridDetail(0, 0.1, 3, 'auto').sectors).toBeGreaterThanOrEqual(6);
+    // The canes of a shrub are many, and as thin as its branches.
+    expect(gridDetail(0, 2, 25, 'auto').sectors).toBe(1);
   });
 
   it('gives trunks more bands than twigs, and one band to none', () => {
