@@ -85,7 +85,7 @@ function gridFor(level: number, pixels: number, pieces: number): GridDetail {
 const CANES = 16;
 
 /** Radius in pixels below which stems are drawn as fewer and wider ones, and the part of them that is always drawn. */
-const LEAST_STEM = 0.35;
+const LEAST_STEM = 0.45;
 const LEAST_PART = 0.1;
 
 /**
@@ -159,13 +159,13 @@ const FOLIAGE_TRIANGLES: Record<Detail, number> = { auto: 200_000, high: 6_000_0
 const NEAR_TRIANGLES: Record<Detail, number> = { auto: 50_000, high: 4_000_000, low: 0 };
 
 /** Leaves that are drawn at most, by default. */
-export const LEAF_BUDGET: Record<Detail, number> = { auto: 40_000, high: 600_000, low: 30_000 };
+export const LEAF_BUDGET: Record<Detail, number> = { auto: 36_000, high: 600_000, low: 30_000 };
 
 /** Part of the leaves that are drawn that cast shadows: those that do are grown to cover as much. */
 const CASTING: Record<Detail, number> = { auto: 0.25, high: 1, low: 0.2 };
 
 /** Leaves below which all cast shadows: each spot of light tells. */
-const ALL_CAST = 2000;
+const ALL_CAST = 1500;
 
 /** How many of `drawn` leaves are drawn into shadow maps. */
 export const leavesCasting = (drawn: number, detail: Detail): number =>

@@ -36,16 +36,16 @@ describe('grid of a level', () => {
 
 describe('stems of a level', () => {
   it('are all drawn while a pixel sees them, then fewer the thinner they are, but never none', () => {
-    expect(stemsDrawn(1000, 0.4, 'auto')).toBe(1000);
-    const counts = [0.35, 0.2, 0.1, 0.05, 0.01, 0].map((radius) => stemsDrawn(1000, radius, 'auto'));
+    expect(stemsDrawn(1000, 0.5, 'auto')).toBe(1000);
+    const counts = [0.45, 0.2, 0.1, 0.05, 0.01, 0].map((radius) => stemsDrawn(1000, radius, 'auto'));
     expect(counts).toEqual(counts.toSorted((a, b) => b - a));
     expect(counts.at(-1)).toBe(100);
     expect(stemsDrawn(3, 1e-4, 'auto')).toBe(1);
     // What remains, widened by the rest, is as thick as the thinnest that is worth a ribbon.
-    for (const radius of [0.3, 0.17, 0.06]) {
+    for (const radius of [0.4, 0.17, 0.06]) {
       const wide = (radius * 1000) / stemsDrawn(1000, radius, 'auto');
-      expect(wide).toBeGreaterThan(0.345);
-      expect(wide).toBeLessThan(0.39);
+      expect(wide).toBeGreaterThan(0.445);
+      expect(wide).toBeLessThan(0.5);
     }
   });
 });

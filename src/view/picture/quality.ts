@@ -18,7 +18,7 @@ export interface QualitySettings {
 }
 
 export const QUALITY_SETTINGS: Readonly<Record<QualityLevel, QualitySettings>> = {
-  low: { pixelRatio: 1, shadows: 512, detail: 'low', leafBudget: 40_000, grass: 0.15 },
+  low: { pixelRatio: 1, shadows: 512, detail: 'low', leafBudget: LEAF_BUDGET.low, grass: 0.15 },
   medium: { pixelRatio: 2, shadows: 1024, detail: 'auto', leafBudget: LEAF_BUDGET.auto, grass: 0.36 },
   high: { pixelRatio: 2, shadows: 2048, detail: 'auto', leafBudget: LEAF_BUDGET.high, grass: 1 },
 };
