@@ -18,11 +18,7 @@ uniform highp sampler2DShadow directionalShadowMap[NUM_DIR_LIGHT_SHADOWS];
 float leafSunlit() {
 #if defined(USE_SHADOWMAP) && NUM_DIR_LIGHT_SHADOWS > 0
   vec3 place = vDirectionalShadowCoord[0].xyz / vDirectionalShadowCoord[0].w;
-#ifdef USE_REVERSED_DEPTH_BUFFER
-  place.z -= directionalLightShadows[0].shadowBias;
-#else
   place.z += directionalLightShadows[0].shadowBias;
-#endif
   bool within = receiveShadow && all(greaterThanEqual(place.xy, vec2(0.0))) && all(lessThanEqual(place, vec3(1.0)));
   if (!within) return 1.0;
   return mix(1.0, textureLod(directionalShadowMap[0], place, 0.0), directionalLightShadows[0].shadowIntensity);
@@ -35,9 +31,6 @@ float leafSunlit() {
 // normal: to shade with; position: in view space; front: is the upper face seen?
 void lightLeaf(vec3 normal, vec3 position, bool front) {
   vec3 sky = getAmbientLightIrradiance(ambientLightColor);
-#ifdef USE_LIGHT_PROBES
-  sky += getLightProbeIrradiance(lightProbe, normal);
-#endif
 #if NUM_HEMI_LIGHTS > 0
   for (int i = 0; i < NUM_HEMI_LIGHTS; i++) sky += getHemisphereLightIrradiance(hemisphereLights[i], normal);
 #endif

@@ -70,29 +70,34 @@ export function axisBlade(
   };
 }
 
-/** A needle some way off: a triangle whose foot lies along the shoot, the z axis, where it shares its corners with its neighbours. */
-export interface Tooth {
-  /** Where its foot begins and ends. */
-  readonly foot: readonly [number, number];
-  readonly tip: Vector;
-}
-
 /** Area of some blades, as if they were flat. */
 export const bladeArea = (blades: readonly Blade[]): number =>
   blades.reduce((sum, { half, width, length }) => sum + outlineArea(half) * width * length, 0);
 
-/** Area of some teeth. */
-export const toothArea = (teeth: readonly Tooth[]): number =>
-  teeth.reduce((sum, { foot, tip }) => sum + 0.5 * (foot[1] - foot[0]) * Math.hypot(tip[0], tip[1]), 0);
-
 /** Area of a leaf of a form. */
 export const formArea = ({ blades, teeth }: LeafForm, width: number, grain: LeafGrain): number =>
-  bladeArea(blades(width, grain)) + toothArea(teeth?.(width, grain) ?? []);
+  bladeArea(blades(width, grain)) + (teeth?.(width, grain)?.area ?? 0);
 
 /** `coarse` with blades so wide that they cover as much as those of `near`. */
 export function coveringAs(near: readonly Blade[], coarse: readonly Blade[]): readonly Blade[] {
   const factor = bladeArea(near) / bladeArea(coarse);
   return coarse.map((blade) => ({ ...blade, width: blade.width * factor }));
+}
+
+/** A mesh in the making. */
+export interface MeshBuilder {
+  readonly position: number[];
+  readonly normal: number[];
+  readonly blade: number[];
+  readonly index: number[];
+}
+
+/** What is no blade of a leaf. */
+export interface Teeth {
+  readonly area: number;
+  readonly triangles: number;
+  /** Puts them into a mesh, beyond a petiole. */
+  readonly add: (out: MeshBuilder, petiole: number) => void;
 }
 
 /** How veins run: a midrib with side veins, ribs that spread from the base, along the blade, or none that shows. */
@@ -108,6 +113,6 @@ export interface LeafForm {
   readonly stalk?: number;
   /** Blades of a leaf `width` times as wide as long. */
   readonly blades: (width: number, grain: LeafGrain) => readonly Blade[];
-  /** What stands for them, or beside them, in a coarser grain, in the order of their feet. */
-  readonly teeth?: (width: number, grain: LeafGrain) => readonly Tooth[];
+  /** Needles that stand for blades in a coarser grain; null where there are none. */
+  readonly teeth?: (width: number, grain: LeafGrain) => Teeth | null;
 }

@@ -1,8 +1,9 @@
-import type { Blade, BladeBend, LeafForm, Tooth } from './blade.ts';
+import type { Blade, BladeBend, LeafForm, MeshBuilder } from './blade.ts';
 import type { LeafGrain } from './leaf-outline.ts';
 import type { LeafSpec } from './leaf-spec.ts';
 import { triangulate } from './triangulate.ts';
 
+export type { MeshBuilder } from './blade.ts';
 export type { LeafGrain } from './leaf-outline.ts';
 export type { LeafSpec } from './leaf-spec.ts';
 
@@ -31,14 +32,6 @@ function upNormal({ fold, arch, curl }: BladeBend, x: number, z: number): [numbe
   const dz = -0.4 * fold * Math.abs(x) - 2 * curl * z;
   const n = Math.hypot(dx, 1, dz);
   return [-dx / n, 1 / n, -dz / n];
-}
-
-/** A mesh in the making. */
-export interface MeshBuilder {
-  readonly position: number[];
-  readonly normal: number[];
-  readonly blade: number[];
-  readonly index: number[];
 }
 
 export const meshBuilder = (): MeshBuilder => ({ position: [], normal: [], blade: [], index: [] });
@@ -94,37 +87,6 @@ export function addBlade(
   }
 }
 
-/** How far the shading of a tooth's tip turns outwards from the shoot, so that a tuft reads as round. */
-const TUFT = 0.6;
-
-/** Adds teeth, which share the corners of their feet; each faces the upper side. */
-function addTeeth(out: MeshBuilder, teeth: readonly Tooth[], petiole: number): void {
-  const feet = new Map<number, number>();
-  const corner = ([x, y, z]: readonly number[], [nx, ny, nz]: readonly number[], margin: number): number => {
-    const n = Math.hypot(nx!, ny!, nz!);
-    out.position.push(x!, y!, petiole + z!);
-    out.normal.push(nx! / n, ny! / n, nz! / n);
-    out.blade.push(margin, z!, 0, margin);
-    return out.position.length / 3 - 1;
-  };
-  const foot = (z: number): number => {
-    const found = feet.get(z) ?? corner([0, 0, z], [0, 1, 0], 0);
-    feet.set(z, found);
-    return found;
-  };
-  for (const { foot: ends, tip } of teeth) {
-    const [low, high] = [foot(ends[0]), foot(ends[1])];
-    const [x, y] = tip;
-    const far = Math.hypot(x, y);
-    // Its face is at right angles to the plane through the shoot and its tip, on the side that looks up.
-    const side = x < 0 ? -1 : 1;
-    const [nx, ny] = [(-side * y) / far, (side * x) / far];
-    const top = corner(tip, [nx + (TUFT * x) / far, ny + (TUFT * y) / far, 0], 1);
-    if (side > 0) out.index.push(low, high, top);
-    else out.index.push(low, top, high);
-  }
-}
-
 /** A thin triangle from the stem to the blade, widest at its foot. */
 function addPetiole(out: MeshBuilder, petiole: number, stalk = 0.05): void {
   const first = out.position.length / 3;
@@ -150,10 +112,9 @@ type FormSize = Pick<LeafSpec, 'width' | 'petiole'>;
 /** Triangles of one leaf of a form; `sessile`: without its petiole. */
 export function formTriangles(form: LeafForm, { width, petiole }: FormSize, grain: LeafGrain, sessile = false): number {
   const blades = form.blades(width, grain);
-  const teeth = form.teeth?.(width, grain).length ?? 0;
   const all = blades.reduce(
     (sum, { half, ribs }) => sum + (half.length === 2 ? 1 : 2 * (half.length + ribs - 2)),
-    teeth,
+    form.teeth?.(width, grain)?.triangles ?? 0,
   );
   return all + (!sessile && hasPetiole(petiole, grain) ? 1 : 0);
 }
@@ -169,7 +130,7 @@ export function formMesh(
   const one = meshBuilder();
   if (!sessile && hasPetiole(petiole, grain)) addPetiole(one, petiole, form.stalk);
   for (const blade of form.blades(width, grain)) addBlade(one, blade, petiole);
-  addTeeth(one, form.teeth?.(width, grain) ?? [], petiole);
+  form.teeth?.(width, grain)?.add(one, petiole);
   return bundled(one, bundle);
 }
 

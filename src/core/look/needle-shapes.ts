@@ -1,17 +1,7 @@
-import {
-  axisBlade,
-  type Blade,
-  bladeArea,
-  coveringAs,
-  FLAT,
-  flatBlade,
-  type LeafForm,
-  type Tooth,
-  toothArea,
-  type Vector,
-} from './blade.ts';
+import { axisBlade, type Blade, bladeArea, coveringAs, FLAT, flatBlade, type LeafForm, type Vector } from './blade.ts';
 import { NEEDLE } from './blade-outlines.ts';
 import type { LeafGrain } from './leaf-outline.ts';
+import { type Tooth, teethOf, toothArea } from './tooth.ts';
 
 /** The angle from leaf to leaf that leaves no two above each other, degrees. */
 const GOLDEN = 137.508;
@@ -79,11 +69,13 @@ export const ROSETTE: LeafForm = {
   veins: 'none',
   blades: (width, grain) => (grain === 'near' ? rosette(width) : []),
   teeth: (width, grain) => {
-    if (grain === 'near') return [];
+    if (grain === 'near') return null;
     const tips = radiating(pick(grain, 0, 13, 6)).map((needle) => tipOf(needle, 0));
-    return tuft(
-      bladeArea(rosette(width)),
-      tips.map(([x, y, z]): Vector => [width * x, width * y, z]),
+    return teethOf(
+      tuft(
+        bladeArea(rosette(width)),
+        tips.map(([x, y, z]): Vector => [width * x, width * y, z]),
+      ),
     );
   },
 };
@@ -109,10 +101,12 @@ export const BUNDLE_OF_NEEDLES: LeafForm = {
   blades: (width, grain) => (grain === 'near' ? bundleBlades(width) : []),
   teeth: (width, grain) =>
     grain === 'near'
-      ? []
-      : tuft(
-          bladeArea(bundleBlades(width)),
-          bundled(width, pick(grain, 0, 6, 4)).map((needle) => tipOf(needle, 0)),
+      ? null
+      : teethOf(
+          tuft(
+            bladeArea(bundleBlades(width)),
+            bundled(width, pick(grain, 0, 6, 4)).map((needle) => tipOf(needle, 0)),
+          ),
         ),
 };
 
@@ -159,7 +153,7 @@ export const SPRIG: LeafForm = {
   name: 'sprig of needles',
   veins: 'none',
   blades: (width, grain) => (grain === 'near' ? sprig(width) : []),
-  teeth: (width, grain) => (grain === 'near' ? [] : brush(width, grain)),
+  teeth: (width, grain) => (grain === 'near' ? null : teethOf(brush(width, grain))),
 };
 
 /** A flat spray of branchlets covered with scales: cedar, cypress, arborvitae. `width`: of the whole spray. */
