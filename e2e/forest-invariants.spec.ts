@@ -25,8 +25,8 @@ test('no flight jumps where trees change their class, and a hillside of 300 tree
     const { steps, seen } = await page.evaluate((entered) => window.forestInvariants.flight(24, entered, 1), entered);
     const median = steps.toSorted((a, b) => a - b)[steps.length / 2]!;
     expect(median).toBeGreaterThan(0.1);
-    // A hard switch is four medians (crossFade 0).
-    expect(Math.max(...steps)).toBeLessThan(2 * median);
+    // A hard switch is four medians of cards, and eight of near trees (crossFade 0).
+    expect(Math.max(...steps)).toBeLessThan(2.6 * median);
     expect(seen.at(-1)?.[entered]).toBeGreaterThan(6);
   }
   const { stats, calls } = await page.evaluate(() => window.forestInvariants.hillside());
