@@ -11,6 +11,7 @@ bakedShape = vec4(0.5 + 0.5 * normal.xy, gl_FragCoord.z, ${sky});`;
 export function bakeMaterial({ material, name }: Mesh): void {
   if (Array.isArray(material) || done.has(material)) return;
   done.add(material);
+  material.defines = { ...material.defines, BAKED: '' };
   const sky = name.startsWith('level') ? 'barkAmbient()' : 'vLeaf.y';
   const compile = material.onBeforeCompile;
   const key = material.customProgramCacheKey();
