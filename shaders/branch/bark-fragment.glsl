@@ -48,6 +48,8 @@ vec3 barkGrown(vec3 bark, vec4 grown) {
 }
 #endif
 
+#pragma bark_own
+
 vec3 barkDiffuse() {
   barkTexel = texture(barkMap, vBark.xy);
   barkBare = 1.0 - vBark.z;
@@ -61,29 +63,13 @@ vec3 barkDiffuse() {
   barkTexel.x = mix(barkTexel.x, 0.3, left);
   barkTexel.yz = mix(barkTexel.yz, vec2(0.5), left);
 #endif
-#ifdef BARK_FOOT
-  // At the foot the paper has burst into black cork, fissured along the stem.
-  vec2 rough = vGrowth.xy * vec2(6.0, 1.1);
-  float ridge = texture(barkGrowth, rough).w;
-  float beside = texture(barkGrowth, rough + vec2(0.02, 0.0)).w;
-  float cork = 1.6 * vGrowth.w + 1.5 * (texture(barkGrowth, vGrowth.xy * vec2(3.0, 0.7)).w - 0.5) + 1.5 * (ridge - 0.5);
-  float burst = smoothstep(0.72, 0.86, cork);
-  barkTexel.x = mix(barkTexel.x, 0.66 + 0.44 * smoothstep(0.32, 0.62, ridge) - 0.12 * barkTexel.w, burst);
-  barkTexel.y = mix(barkTexel.y, clamp(0.5 + 2.2 * (beside - ridge), 0.08, 0.92), burst);
-#endif
-#ifdef BARK_SPINED
-  // Above a half the tile's darkness stands for wool and spines.
-  float spine = smoothstep(0.45, 0.75, barkTexel.x);
-  barkTexel.x = 2.0 * barkTexel.x * (1.0 - spine);
+#ifdef BARK_OWN
+  float own = barkOwnTexel();
 #endif
   // Twigs are younger: no furrows yet, and a skin of their own.
   vec3 bark = mix(barkColour, barkDark, clamp(barkTexel.x, 0.0, 1.0));
-#ifdef BARK_SPINED
-  bark = mix(bark, vec3(0.60, 0.52, 0.34), spine);
-#endif
-#ifdef BARK_BLOOM
-  // Where the tile is lightest a cane is dusted with wax.
-  bark = mix(bark, vec3(0.6, 0.64, 0.55), 0.4 * smoothstep(0.32, 0.04, barkTexel.x));
+#ifdef BARK_OWN
+  bark = barkOwn(bark, own);
 #endif
   bark = mix(bark, barkTwig, vBark.z);
   barkTexel.x = mix(barkTexel.x, 0.55, vBark.z);

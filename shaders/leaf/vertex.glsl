@@ -49,14 +49,11 @@ vec3 swung(vec3 a, vec2 sines, vec2 cosines) {
 }
 
 #ifdef LEAF_CUT
-// Is a leaf at a place of the tree drawn by this mesh, and may the picture show it?
-bool leafShown(vec3 centre) {
+// Is a leaf of this size at a place of the tree drawn by this mesh, and may the picture show it?
+bool leafShown(vec3 centre, vec2 size) {
   vec4 seen = modelViewMatrix * vec4(centre, 1.0);
   // A leaf and its stalk, leant over, as a ball; a little more room than it needs at the sides of the view.
-  float reach = 1.6 * max(leafSize.x, leafSize.y) * length(modelViewMatrix[0].xyz);
-#if defined(GROVE) && !defined(LEAF_ORGAN)
-  reach *= treeTexel(TREE_CROWN).w;
-#endif
+  float reach = 1.6 * max(size.x, size.y) * length(modelViewMatrix[0].xyz);
   vec4 at = projectionMatrix * seen;
   vec2 room = at.w + reach + reach * vec2(projectionMatrix[0][0], projectionMatrix[1][1]);
   return -seen.z >= leafCut.x && -seen.z < leafCut.y && all(lessThan(abs(at.xy), room));
@@ -90,15 +87,16 @@ LeafVertex leafVertex() {
   float phase = leaf.phase;
   float own = hashUnit(hashPcg(uint(phase * 65535.0 + 0.5)));
   Section section = sectionAt(pose, leaf.v);
+  vec2 size = leafSize;
+#if defined(GROVE) && !defined(LEAF_ORGAN)
+  size *= treeTexel(TREE_CROWN).w;
+#endif
 #ifdef LEAF_CUT
   // Every corner falls on one point, so nothing is drawn.
-  if (!leafShown(section.centre)) return LeafVertex(vec3(0.0), vec3(0.0, 0.0, 1.0), 0.0);
+  if (!leafShown(section.centre, size)) return LeafVertex(vec3(0.0), vec3(0.0, 0.0, 1.0), 0.0);
 #endif
   mat3 frame = mat3(section.along, section.t, section.s);
-  vec3 p = position * vec3(leafSize.x, leafSize.y, leafSize.y);
-#if defined(GROVE) && !defined(LEAF_ORGAN)
-  p *= treeTexel(TREE_CROWN).w;
-#endif
+  vec3 p = position * vec3(size, size.y);
 #if defined(LEAF_PARTED) && !defined(LEAF_POINT)
   p *= clamp(leafPart.x - float(place), 0.0, 1.0);
 #endif
@@ -119,7 +117,7 @@ LeafVertex leafVertex() {
   across = normalize(across - along * dot(across, along) + vec3(0.01, 0.013, 0.0));
   across = normalize(across - along * dot(across, along));
   mat3 hung = mat3(across, cross(along, across), along);
-  p = hung * swung(position * leafSize.y, sines, cosines);
+  p = hung * swung(position * size.y, sines, cosines);
   n = hung * swung(normal, sines, cosines);
 #endif
   vec3 leant = leanTowards(along, leafWind, swing.lean);

@@ -2,11 +2,6 @@
 // position: root x | height of the corner | root z, roots in a square of side 2. normal.xy: offset of the corner, normal.z: tone.
 #include /stage/field.glsl
 #include /stage/sky.glsl
-#ifdef GRASS_ON_TERRAIN
-#include /forest/terrain-height.glsl
-uniform sampler2D terrainShade;
-out vec2 vTerrain;
-#endif
 
 out vec3 vGround;
 out vec3 vHaze;
@@ -19,6 +14,13 @@ uniform vec3 grassSquare;
 uniform vec4 groundReach;
 // Height of the grass as a multiple, share of the blades that bear a flower.
 uniform vec2 grassGrowth;
+
+#ifndef GRASS_ON_TERRAIN
+// Height of the ground at a root; grown: how high a blade grows there. A terrain brings its own (shaders/forest/grass-ground.glsl).
+float grassGround(vec2 root, float own, inout float grown) {
+  return 0.0;
+}
+#endif
 
 vec3 grassPoint() {
   // Sides are powers of two, so that no blade slides while the eye moves; each tuft goes to the next one at a moment of its
@@ -35,14 +37,7 @@ vec3 grassPoint() {
   grown *= 1.0 - smoothstep(0.25 + 0.55 * fract(position.z * 91.3), 1.0, length(off) / reach);
   // Little grows in the shade of the trunk.
   grown *= mix(0.6, 1.0, smoothstep(groundReach.z, groundReach.z * 3.0, length(root)));
-  float ground = 0.0;
-#ifdef GRASS_ON_TERRAIN
-  vTerrain = vec2(root.x, -root.y);
-  ground = terrainAt(vTerrain);
-  // Under dense crowns litter lies in its place.
-  float open = textureLod(terrainShade, vTerrain * terrainPlace.x + 0.5, 1.0).g;
-  grown *= smoothstep(0.25, 0.8, open + 0.3 * (fract(position.x * 71.3) - 0.5));
-#endif
+  float ground = grassGround(root, fract(position.x * 71.3), grown);
   // Far blades are larger: they stand for the many that are not drawn.
   grown *= clamp(sqrt(reach / 6.0), 0.75, 1.6);
   // Grass is soft: a breeze lays it over by a third, a gale flat. No two blades are as stiff.

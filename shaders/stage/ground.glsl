@@ -17,14 +17,14 @@ uniform vec4 groundLook;
 uniform vec4 groundShade;
 
 #ifndef GROUND_WILD
-// The path runs past the tree on the left, as the default camera sees it, and turns behind it: metres from its middle.
+// The path runs past the tree on the left, as the default camera sees it, and turns behind it: metres right of its middle.
 float pathAway(vec2 p, float reach) {
   const vec2 away = vec2(-0.19866933, -0.98006658);
   float s = dot(p, away) / reach;
   float v = dot(p, vec2(-away.y, away.x));
   float middle = reach * (-0.46 + 0.05 * s + 0.055 * s * s * s);
   float slope = 0.05 + 0.165 * s * s;
-  return abs(v - middle) * inversesqrt(1.0 + slope * slope);
+  return (v - middle) * inversesqrt(1.0 + slope * slope);
 }
 #endif
 
@@ -56,8 +56,12 @@ vec3 groundDiffuse() {
   float bare = 1.0 - smoothstep(groundReach.z * 1.4, groundReach.z * 4.2, r + (broad.r - 0.5) * groundReach.z * 3.0 + (fine.r - 0.5) * groundReach.z * 1.6);
   float open = max(bare * 0.8, patchy) * groundLook.y;
   if (groundLook.w > 0.0) {
-    float path = pathAway(vGround.xz, groundTree.x) + (broad.g - 0.5) * 0.9 + (fine.r - 0.5) * 0.35;
-    open = max(open, groundLook.w * (1.0 - smoothstep(1.05, 1.45, path)));
+    // Far off a pixel is wider than the path: it takes as much of its colour as it covers of it.
+    float path = pathAway(vGround.xz, groundTree.x);
+    float wide = max(0.4, fwidth(path));
+    float to = 1.25 - (broad.g - 0.5) * 0.9 - (fine.r - 0.5) * 0.35;
+    float covered = min(path + 0.5 * wide, to) - max(path - 0.5 * wide, -to);
+    open = max(open, groundLook.w * clamp(covered / wide, 0.0, 1.0));
   }
 #endif
   return mix(c, earth * (0.7 + 0.6 * fine.g), open);

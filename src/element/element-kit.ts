@@ -4,6 +4,7 @@ import type { LeafGrain, LeafMesh } from '../core/look/leaf-mesh.ts';
 import { hasMargin, type LeafSpec, leafSpecOf } from '../core/look/leaf-spec.ts';
 import { type BarkImage, reliefImage } from '../core/look/relief-image.ts';
 import type { BarkKind, OrganKind, Species } from '../core/species/species.ts';
+import { hasOwn } from '../view/bark-look.ts';
 import type { LineKit, PickKit, TreeKit } from '../view/tree-kit.ts';
 
 type MakeRelief = (size: number) => Relief;
@@ -107,7 +108,9 @@ class ElementKit implements TreeKit {
   }
 
   async #loadBark(kind: BarkKind): Promise<void> {
-    if (!this.#barks.has(kind)) this.#barks.set(kind, await BARKS[kind]());
+    if (this.#barks.has(kind)) return;
+    const [relief] = await Promise.all([BARKS[kind](), hasOwn(kind) && import('../view/bark-own.ts')]);
+    this.#barks.set(kind, relief);
   }
 
   async #loadForm(spec: LeafSpec): Promise<void> {

@@ -12,18 +12,27 @@ export type StemForm = 'deep' | 'tube' | 'ribbon';
 /** Levels whose bark is old enough to bear clouds, moss and ridges. */
 const OLD_LEVELS = 2;
 
+/** What a kind of bark is besides its tile, at any level or at the foot alone (shaders/branch/bark-own.glsl). */
+const OWN: Partial<Record<BarkLook['kind'], string>> = {
+  peeling: 'BARK_FOOT',
+  ribbed: 'BARK_SPINED',
+  noded: 'BARK_BLOOM',
+};
+
+/** Does a bark's program need bark-own.ts? */
+export const hasOwn = (kind: BarkLook['kind']): boolean => OWN[kind] !== undefined;
+
 /** The parts of the bark's programs that a level needs; each that is left out saves work. */
 export function barkDefines(level: number, { bark }: Species, form: StemForm): string[] {
   if (form === 'ribbon') return [];
   const old = level < OLD_LEVELS;
+  const own = OWN[bark.kind];
   return [
     level > 0 ? 'JOINED' : '',
     old ? 'BARK_OLD' : '',
     old && (bark.moss > 0 || bark.lichen > 0) ? 'BARK_GROWTH' : '',
-    level === 0 && bark.kind === 'peeling' ? 'BARK_FOOT' : '',
+    own && (level === 0 || bark.kind !== 'peeling') ? own : '',
     old && (bark.kind === 'smooth' || bark.kind === 'peeling') ? 'BARK_MARKED' : '',
-    bark.kind === 'ribbed' ? 'BARK_SPINED' : '',
-    bark.kind === 'noded' ? 'BARK_BLOOM' : '',
     form === 'deep' ? 'BARK_DEEP' : '',
   ].filter(Boolean);
 }

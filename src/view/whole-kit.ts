@@ -2,6 +2,7 @@ import { barkImage } from '../core/look/bark-image.ts';
 import { leafForm } from '../core/look/leaf-shapes.ts';
 import { organMesh } from '../core/look/organ-mesh.ts';
 import { CpuPoser } from '../gpu/cpu-poser.ts';
+import './bark-own.ts';
 import { channelTexels } from './channel-texels.ts';
 import { controlLines, setControlLines } from './control-lines.ts';
 import { pickBranch, pickCrown } from './pick.ts';

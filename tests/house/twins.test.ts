@@ -54,6 +54,8 @@ function fault({ file, name, doc, twin }: GlslFunction): string | undefined {
 /** Functions that draw rather than compute: three's own hooks and what only they call, which pictures judge. */
 const drawing = new Set([
   'gloss',
+  'barkOwnTexel',
+  'barkOwn',
   'leafAnswer',
   'RE_Direct_Leaf',
   'RE_IndirectDiffuse_Leaf',

@@ -2,7 +2,7 @@ import type { BarkLook } from '../species/species.ts';
 import { smoothstep } from './bark-relief.ts';
 import { type Colour, colourOf, mixColours } from './colour.ts';
 
-/** Wool and spines of a cactus, and the wax that dusts a cane; linear. As in shaders/branch/bark-fragment.glsl. */
+/** Wool and spines of a cactus, and the wax that dusts a cane; linear. As in shaders/branch/bark-own.glsl. */
 const STRAW: Colour = [0.6, 0.52, 0.34];
 const WAX: Colour = [0.6, 0.64, 0.55];
 

@@ -247,6 +247,31 @@ export const OBOVATE = outline(
   ],
 );
 
+/** Each of the three leaflets of the paper's leaf shape 5 (Weber & Penn 1995, 4.9), drawn by Windgrove. */
+export const LEAFLET_OF_THREE = outline(
+  'three leaflets',
+  [
+    [0, 0],
+    [0.22, 0.08],
+    [0.44, 0.3],
+    [0.48, 0.52],
+    [0.3, 0.78],
+    [0.1, 0.94],
+    [0, 1],
+  ],
+  [
+    [0, 0],
+    [0.5, 0.32],
+    [0.44, 0.68],
+    [0, 1],
+  ],
+  [
+    [0, 0],
+    [0.62, 0.5],
+    [0, 1],
+  ],
+);
+
 /** A leaflet of an ash or walnut. */
 export const LEAFLET = outline(
   'leaflet',

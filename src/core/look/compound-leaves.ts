@@ -1,7 +1,6 @@
 import { type Blade, coveringAs, flatBlade, LEAF_BEND, type LeafForm } from './blade.ts';
-import { LEAFLET, NEEDLE, OBOVATE, SPIKE } from './blade-outlines.ts';
+import { LEAFLET, LEAFLET_OF_THREE, NEEDLE, OBOVATE, SPIKE } from './blade-outlines.ts';
 import type { HalfOutline, LeafGrain } from './leaf-outline.ts';
-import { PAPER_OUTLINES } from './paper-outlines.ts';
 
 /** Base, turn in degrees and size of each of three leaflets. */
 const THREE = [
@@ -17,7 +16,7 @@ export const TRIFOLIATE: LeafForm = {
   stalk: 0.36,
   blades: (width, grain) =>
     THREE.map(([z, turn, size]) =>
-      flatBlade(PAPER_OUTLINES[5]![grain], [width * size, size], [0, z], turn, grain === 'near' ? 2 : 0),
+      flatBlade(LEAFLET_OF_THREE[grain], [width * size, size], [0, z], turn, grain === 'near' ? 2 : 0),
     ),
 };
 

@@ -1,6 +1,6 @@
 import type { BladeOutline } from './leaf-outline.ts';
 
-/** Outlines of the paper's leaf shapes 0 to 5 (Weber & Penn 1995, 4.9), drawn by Windgrove; the last is that of each of three leaflets. */
+/** Outlines of the paper's leaf shapes 0 to 4 (Weber & Penn 1995, 4.9), drawn by Windgrove; its shape 5 is LEAFLET_OF_THREE, three times. */
 export const PAPER_OUTLINES: readonly BladeOutline[] = [
   {
     name: 'oval',
@@ -135,29 +135,6 @@ export const PAPER_OUTLINES: readonly BladeOutline[] = [
     far: [
       [0, 0],
       [0.5, 0.4],
-      [0, 1],
-    ],
-  },
-  {
-    name: 'three leaflets',
-    near: [
-      [0, 0],
-      [0.22, 0.08],
-      [0.44, 0.3],
-      [0.48, 0.52],
-      [0.3, 0.78],
-      [0.1, 0.94],
-      [0, 1],
-    ],
-    middle: [
-      [0, 0],
-      [0.5, 0.32],
-      [0.44, 0.68],
-      [0, 1],
-    ],
-    far: [
-      [0, 0],
-      [0.62, 0.5],
       [0, 1],
     ],
   },

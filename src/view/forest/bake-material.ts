@@ -11,7 +11,9 @@ bakedShape = vec4(0.5 + 0.5 * normal.xy, gl_FragCoord.z, ${sky});`;
 export function bakeMaterial({ material, name }: Mesh): void {
   if (Array.isArray(material) || done.has(material)) return;
   done.add(material);
-  material.defines = { ...material.defines, BAKED: '' };
+  // The colour and the normal of each pixel are written, which leaves that are lit at their corners do not have.
+  const { LEAF_LIT: _, ...defines } = material.defines ?? {};
+  material.defines = defines;
   const sky = name.startsWith('level') ? 'barkAmbient()' : 'vLeaf.y';
   const compile = material.onBeforeCompile;
   const key = material.customProgramCacheKey();

@@ -1,4 +1,5 @@
 import type { IUniform } from 'three';
+import grassGround from '../../../shaders/forest/grass-ground.glsl';
 import look from '../../../shaders/forest/terrain-look.glsl';
 import groundGlsl from '../../../shaders/stage/ground.glsl';
 import type { ForceField } from '../force-field.ts';
@@ -24,7 +25,7 @@ const onTerrain = ({ anchor, ...patch }: Patch): Patch => {
 /** Where three's Lambert material takes grass that stands on a terrain. */
 export const FOREST_GRASS_INJECTION: Injection = {
   vertex: GRASS_INJECTION.vertex.map((patch: Patch, i) =>
-    i === 0 ? { ...patch, after: `#define GRASS_ON_TERRAIN\n${patch.after}` } : patch,
+    i === 0 ? { ...patch, after: `${grassGround}\n${patch.after}` } : patch,
   ),
   fragment: GRASS_INJECTION.fragment.map(onTerrain),
 };

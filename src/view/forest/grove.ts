@@ -1,4 +1,5 @@
 import { Box3, type Frustum, Matrix4, Object3D, Vector2, type Vector3, type Vector4, type WebGLRenderer } from 'three';
+import dither from '../../../shaders/forest/dither.glsl';
 import groveTree from '../../../shaders/forest/grove-tree.glsl';
 import type { GroveLight } from '../../core/look/grove-light.ts';
 import type { PackedGrove } from '../../core/pack/merge-trees.ts';
@@ -17,8 +18,11 @@ import { GrovePace } from './grove-pace.ts';
 import type { Foliage } from './grove-parts.ts';
 import { GroveTrees } from './grove-trees.ts';
 
-// The shaders of branches and leaves name it; who draws single trees never loads it.
-providePart('grove_tree', `#ifdef GROVE\n${groveTree}#endif`);
+// The shaders of branches, leaves and cards name them; who draws single trees never loads them.
+const part = (name: string, text: string): void => providePart(`grove_${name}`, `#ifdef GROVE\n${text}\n#endif`);
+part('tree', groveTree);
+part('shares', `flat in vec2 vShare;\n${dither}`);
+part('fade', 'if (fadedOut(vShare.x, vShare.y)) discard;');
 
 /** How a grove is drawn. */
 export interface GroveOptions {
