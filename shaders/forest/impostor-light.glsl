@@ -1,5 +1,5 @@
 // How a far tree answers the sun: a texel stands for many leaves, some of them in the shade of others and all of them turned otherwise.
-#include /leaf/matter.glsl
+#include /leaf/indirect.glsl
 
 // Mean length of the sum of the normals of leaves that a texel shows.
 const float FAR_ALIKE = 0.72;

@@ -16,15 +16,4 @@ float gloss(vec3 light, vec3 eye, vec3 normal, float roughness) {
   float aslant2 = aslant * aslant;
   return (0.04 + 0.96 * aslant2 * aslant2 * aslant) * (0.25 * RECIPROCAL_PI) * a2 / (spread * spread * max(open * open, 0.05));
 }
-#if !defined(USE_ENVMAP) && defined(RE_IndirectDiffuse)
-void RE_IndirectDiffuse_Leaf(
-  const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal,
-  const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material,
-  inout ReflectedLight reflectedLight
-) {
-  reflectedLight.indirectDiffuse += irradiance * (LEAF_ENTERS * RECIPROCAL_PI) * material.diffuseColor;
-}
-#undef RE_IndirectDiffuse
-#define RE_IndirectDiffuse RE_IndirectDiffuse_Leaf
-#endif
 #endif

@@ -5,6 +5,7 @@
 #define LEAF_THROUGH (vLeafThrough * (leafClear * vLeaf.y))
 #endif
 #include /leaf/answer.glsl
+#include /leaf/indirect.glsl
 void RE_Direct_Leaf(
   const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal,
   const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material,

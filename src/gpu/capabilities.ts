@@ -1,4 +1,6 @@
 import type { WebGLRenderer } from 'three';
+import fragmentShader from '../../shaders/wind/probe.frag';
+import vertexShader from '../../shaders/wind/probe.vert';
 import { POSE_TARGETS } from '../core/pack/layout.ts';
 
 /**
@@ -28,23 +30,6 @@ const REASONS: Record<Degradation, string> = {
 };
 
 const TARGETS = Object.keys(POSE_TARGETS).length;
-
-const VERTEX = `#version 300 es
-void main() {
-  gl_Position = vec4(vec2[3](vec2(-1.0), vec2(3.0, -1.0), vec2(-1.0, 3.0))[gl_VertexID], 0.0, 1.0);
-}`;
-
-// A number that neither half floats nor bytes hold: 1 + 2^-20 needs 20 bits of fraction, and -70000 is beyond half range.
-const FRAGMENT = `#version 300 es
-precision highp float;
-layout(location = 0) out vec4 a;
-layout(location = 1) out vec4 b;
-layout(location = 2) out vec4 c;
-layout(location = 3) out vec4 d;
-void main() {
-  a = vec4(0.0); b = vec4(1.0); c = vec4(2.0);
-  d = vec4(1.0 + exp2(-20.0), -70000.0, gl_FragCoord.x, 3.0);
-}`;
 
 /**
  * Whether `gl` can draw into four RGBA32F textures, found by attaching them, drawing and reading back.
@@ -101,8 +86,8 @@ function drawsRight(gl: WebGL2RenderingContext, program: WebGLProgram): boolean 
 function link(gl: WebGL2RenderingContext): WebGLProgram | null {
   const program = gl.createProgram();
   for (const [type, source] of [
-    [gl.VERTEX_SHADER, VERTEX],
-    [gl.FRAGMENT_SHADER, FRAGMENT],
+    [gl.VERTEX_SHADER, vertexShader],
+    [gl.FRAGMENT_SHADER, fragmentShader],
   ] as const) {
     const shader = gl.createShader(type);
     if (!shader) return null; // a lost context

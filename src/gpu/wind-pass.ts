@@ -109,14 +109,28 @@ export class WindPass implements Poser {
     this.#time = Number.NaN;
   }
 
-  /** Poses the tree as of `time` seconds, or comes nearer to it. Changes no setting of `renderer`. */
+  /** Poses the tree as of `time` seconds, or comes nearer to it. Changes no setting of `renderer`, though a source throws. */
   update(renderer: WebGLRenderer, time: number, source: WindSource): void {
     if (renderer.getContext().isContextLost()) return;
     this.#listen(renderer);
     const { pose, revision } = source;
     const same = this.#seeded && time === this.#time && revision === this.#revision && pose === this.#mode;
     if (same && this.catchingUp === null) return;
+    let done = false;
     this.#state.begin(renderer);
+    try {
+      done = this.#pose(renderer, time, source);
+    } finally {
+      this.#state.end(renderer);
+    }
+    if (!done) return;
+    this.#time = time;
+    this.#revision = source.revision;
+    this.#mode = pose;
+  }
+
+  /** The draws of an update; returns whether the tree is as of `time` now. */
+  #pose(renderer: WebGLRenderer, time: number, source: WindSource): boolean {
     const materials = stepMaterialsOf(renderer);
     if (!this.#seeded) this.#seed(renderer, materials);
     materials.uniforms.pieces.value = this.#textures.pieces;
@@ -125,12 +139,7 @@ export class WindPass implements Poser {
     const springs = uses(materials.wind, 'spring') ? this.#springsFor(renderer, materials, source) : null;
     if (!springs) this.#springs?.run.rest();
     const now: Update = { renderer, materials, time, source, springs };
-    const done = pose === 'lagged' ? this.#lagged(now) : this.#exact(now);
-    this.#state.end(renderer);
-    if (!done) return;
-    this.#time = time;
-    this.#revision = source.revision;
-    this.#mode = pose;
+    return source.pose === 'lagged' ? this.#lagged(now) : this.#exact(now);
   }
 
   read(renderer: WebGLRenderer, out = new Float32Array(this.#textures.tree.restPose.data.length)): Float32Array {

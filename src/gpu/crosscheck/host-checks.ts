@@ -5,7 +5,7 @@ import { CpuPoser } from '../cpu-poser.ts';
 import { STEP } from '../step.ts';
 import { TreeTextures } from '../tree-textures.ts';
 import { WindPass } from '../wind-pass.ts';
-import { windSource } from '../wind-source.ts';
+import { type WindSource, windSource } from '../wind-source.ts';
 import { poseDistance } from './pose-distance.ts';
 import { type Check, check } from './report.ts';
 
@@ -39,7 +39,9 @@ function settingsOf(renderer: WebGLRenderer): unknown[] {
   ];
 }
 
-/** A pass leaves the renderer as it found it: unusual settings, drawing to the canvas and to a target. */
+const BROKEN = new Error('a source that throws');
+
+/** A pass leaves the renderer as it found it: unusual settings, drawing to the canvas and to a target, its source throwing. */
 export function checkSettings(renderer: WebGLRenderer, tree: PackedTree, wind: Wind): Check {
   const textures = new TreeTextures(tree, true);
   const pass = new WindPass(textures);
@@ -50,6 +52,12 @@ export function checkSettings(renderer: WebGLRenderer, tree: PackedTree, wind: W
   renderer.setClearColor(0x123456, 0.5);
   renderer.shadowMap.needsUpdate = true;
   const { autoClear, xr, shadowMap, info } = renderer;
+  const broken: WindSource = {
+    ...windSource(wind),
+    fill: () => {
+      throw BROKEN;
+    },
+  };
   let samples = 0;
   let changed = 0;
   for (const current of [null, target]) {
@@ -61,10 +69,16 @@ export function checkSettings(renderer: WebGLRenderer, tree: PackedTree, wind: W
     shadowMap.autoUpdate = on;
     info.autoReset = on;
     const before = settingsOf(renderer);
-    pass.update(renderer, ++samples, windSource(wind));
-    const after = settingsOf(renderer);
-    changed += before.filter((value, i) => value !== after[i]).length;
-    samples += before.length;
+    for (const source of [windSource(wind), broken]) {
+      try {
+        pass.update(renderer, ++samples, source);
+      } catch (error) {
+        if (error !== BROKEN) throw error;
+      }
+      const after = settingsOf(renderer);
+      changed += before.filter((value, i) => value !== after[i]).length;
+      samples += before.length;
+    }
   }
   renderer.setRenderTarget(null);
   renderer.setScissorTest(false);

@@ -43,13 +43,16 @@ export class BakeQueue<Job extends BakeJob> {
     if (this.idle) return;
     const began = performance.now();
     this.#state.begin(renderer);
-    do {
-      const job = this.#jobs[0] as Job;
-      if (!this.#step(renderer, job)) continue;
-      this.#ready.add(job.layer);
-      this.#jobs.shift();
-    } while (this.#jobs.length > 0 && performance.now() - began < ms);
-    this.#state.end(renderer);
+    try {
+      do {
+        const job = this.#jobs[0] as Job;
+        if (!this.#step(renderer, job)) continue;
+        this.#ready.add(job.layer);
+        this.#jobs.shift();
+      } while (this.#jobs.length > 0 && performance.now() - began < ms);
+    } finally {
+      this.#state.end(renderer);
+    }
   }
 
   clear(): void {
