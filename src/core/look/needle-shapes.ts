@@ -1,5 +1,5 @@
 import { axisBlade, type Blade, bladeArea, coveringAs, FLAT, flatBlade, type LeafForm, type Vector } from './blade.ts';
-import { NEEDLE } from './blade-outlines.ts';
+import { NEEDLE, SPIKE } from './blade-outlines.ts';
 import type { LeafGrain } from './leaf-outline.ts';
 import { type Tooth, teethOf, toothArea } from './tooth.ts';
 
@@ -17,14 +17,14 @@ const covering = (name: string, blades: LeafForm['blades']): LeafForm => ({
 });
 
 /** A needle is drawn a little wider than it grows: a tree has tens of thousands of them here, not millions. */
-const NEEDLE_WIDTH = { rosette: 0.075, bundle: 0.024, sprig: 0.16 } as const;
+const NEEDLE_WIDTH = { rosette: 0.075, bundle: 0.024, sprig: 0.09 } as const;
 
 /** Needles that a coarser grain draws. */
 const pick = (grain: LeafGrain, near: number, middle: number, far: number): number =>
   grain === 'near' ? near : grain === 'middle' ? middle : far;
 
 /** Width of a needle on a shoot at most, in lengths of the shoot. */
-const THICKEST = 0.056;
+const THICKEST = 0.0315;
 
 /** One needle; `width` is its own. */
 export const SINGLE_NEEDLE = covering('needle', (width, grain) => [
@@ -110,8 +110,8 @@ export const BUNDLE_OF_NEEDLES: LeafForm = {
         ),
 };
 
-/** Needles of a sprig, near by. */
-const SPRIG_NEEDLES = 30;
+/** Needles of a sprig, near by: a triangle each, as many thin ones as can be had rather than fewer with a shape of their own. */
+const SPRIG_NEEDLES = 80;
 
 /** Length and tilt from the shoot, degrees, of the needle that stands `along` the shoot, 0..1: those near the tip lie closer to it and close it. */
 function sprigNeedle(width: number, along: number): readonly [length: number, tilt: number] {
@@ -125,13 +125,18 @@ function sprig(width: number): Blade[] {
     const along = (i + 0.5) / SPRIG_NEEDLES;
     const [length, tilt] = sprigNeedle(width, along);
     const size = [Math.min(NEEDLE_WIDTH.sprig * length, THICKEST), length] as const;
-    out.push(axisBlade(NEEDLE.middle, size, 0.9 * along, tilt, GOLDEN * i, { ...FLAT, curl: 0.1 }));
+    out.push(axisBlade(SPIKE, size, 0.9 * along, tilt, GOLDEN * i, { ...FLAT, curl: 0.1 }));
   }
   return out;
 }
 
 /** Part of the area of a sprig's needles that is not hidden by others of it. */
 const SEEN = 0.85;
+
+/** How far a tooth leans along the shoot, by how far it reaches out from it: one that stood upright on its broad foot would read as a leaf. */
+const LEAN = 1.9;
+/** And how far its tip is from the foot of the shoot at most. */
+const FARTHEST = 1.08;
 
 /** Some way off: a brush of teeth, whose silhouette is a shoot's and not a leaf's. They reach as far out as covers what the needles do. */
 function brush(width: number, grain: LeafGrain): Tooth[] {
@@ -145,7 +150,14 @@ function brush(width: number, grain: LeafGrain): Tooth[] {
     return { foot: [0.9 * low, 0.9 * high], tip };
   });
   const reach = (SEEN * bladeArea(sprig(width))) / toothArea(teeth);
-  return teeth.map(({ foot, tip: [x, y, z] }) => ({ foot, tip: [reach * x, reach * y, z] }));
+  return teeth.map(({ foot, tip: [x, y, z] }) => {
+    const out = reach * Math.hypot(x, y);
+    const leaning = (foot[0] + foot[1]) / 2 + LEAN * out;
+    return {
+      foot,
+      tip: [reach * x, reach * y, Math.max(z, Math.min(leaning, Math.sqrt(Math.max(0, FARTHEST ** 2 - out ** 2))))],
+    };
+  });
 }
 
 /** A short shoot with needles all around, pointing forward: spruce, fir, pine, yew, juniper. `width`: of the whole shoot. */
@@ -160,9 +172,11 @@ export const SPRIG: LeafForm = {
 export const SCALES = covering('spray of scales', (width, grain) => {
   const bend = { fold: 0.1, arch: 0, curl: 0.14 };
   if (grain === 'far') return [flatBlade(NEEDLE.far, [width, 1], [0, 0], 0, 0, bend)];
-  const pairs = pick(grain, 6, 2, 0);
-  const stout = pick(grain, 0.058, 0.15, 0);
-  const out: Blade[] = [flatBlade(NEEDLE[grain], [stout, 1], [0, 0], 0, 0, bend)];
+  const pairs = pick(grain, 6, 4, 0);
+  const stout = pick(grain, 0.058, 0.12, 0);
+  // Some way off more of them that are a triangle each, and not two: few broad ones would read as the lobes of a maple's leaf.
+  const finger = grain === 'near' ? NEEDLE.near : SPIKE;
+  const out: Blade[] = [flatBlade(finger, [stout, 1], [0, 0], 0, 0, bend)];
   for (let i = 0; i < 2 * pairs; i++) {
     const along = (i + 0.5) / (2 * pairs);
     const side = i % 2 === 0 ? -1 : 1;
@@ -170,7 +184,7 @@ export const SCALES = covering('spray of scales', (width, grain) => {
     // Branchlets are longest in the lower third, so that the spray is a fan with a point.
     const length = ((0.5 * width) / 0.68) * (0.55 + 0.6 * Math.sin(Math.PI * (0.22 + 0.66 * along)));
     const z = 0.06 + 0.76 * along;
-    out.push(flatBlade(NEEDLE[grain], [stout * 1.15, length], [0, z], turn, 0, bend));
+    out.push(flatBlade(finger, [stout * 1.15, length], [0, z], turn, 0, bend));
     // Each bears one of its own on its outer side.
     if (grain === 'near' && i < 9) {
       const from = 0.42 * length;

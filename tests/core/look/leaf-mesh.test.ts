@@ -126,6 +126,32 @@ describe.each([12, 13, 14])('needles of shape %i, some way off', (shape) => {
   );
 });
 
+it.each([0.27, 0.36])(
+  'teeth of a shoot of width %f are slender: upright on their broad feet they would read as leaves',
+  (width) => {
+    for (const [grain, least] of [
+      ['middle', 4.5],
+      ['far', 2.7],
+    ] as const) {
+      const { position, index } = leafMesh({ shape: 14, width, petiole: 0 }, grain, 1);
+      const slender: number[] = [];
+      for (let t = 0; t < index.length; t += 3) {
+        const [a, b, c] = [0, 1, 2].map((k) => point(position, index[t + k]!)) as [Vector, Vector, Vector];
+        const sides = [
+          [a, b],
+          [b, c],
+          [c, a],
+        ].map(([p, q]) => Math.hypot(...p!.map((v, i) => v - q![i]!))) as [number, number, number];
+        const half = (sides[0] + sides[1] + sides[2]) / 2;
+        const area = Math.sqrt(Math.max(0, half * (half - sides[0]) * (half - sides[1]) * (half - sides[2])));
+        slender.push(Math.max(...sides) ** 2 / (2 * area));
+      }
+      slender.sort((x, y) => x - y);
+      expect(slender[slender.length >> 1], grain).toBeGreaterThan(least);
+    }
+  },
+);
+
 it.each(NEEDLES)('needles of shape %i stay within their length however narrow they stand', (shape) => {
   for (const grain of GRAINS) {
     const { position } = leafMesh({ shape, width: 0.01, petiole: 0 }, grain, 1);
