@@ -56,10 +56,15 @@ export async function address(page: Page, wanted: RegExp): Promise<URLSearchPara
   return new URLSearchParams(new URL(page.url()).hash.slice(1));
 }
 
-/** Pixels in which two pictures of the same size differ, as x, y pairs; and how many colours the first has. */
-export function difference(page: Page, a: string, b: string): Promise<{ pixels: number[]; colours: number }> {
+/** Pixels in which two pictures of the same size differ by more than `most` (0..255) in green, or at all, as x, y pairs; and how many colours the first has. */
+export function difference(
+  page: Page,
+  a: string,
+  b: string,
+  most: number | null = null,
+): Promise<{ pixels: number[]; colours: number }> {
   return page.evaluate(
-    async ([a, b]) => {
+    async ([a, b, most]) => {
       const read = async (url: string): Promise<ImageData> => {
         const image = await createImageBitmap(await (await fetch(url)).blob());
         const context = new OffscreenCanvas(image.width, image.height).getContext('2d')!;
@@ -71,10 +76,12 @@ export function difference(page: Page, a: string, b: string): Promise<{ pixels: 
       const right = new Uint32Array(other.data.buffer);
       const pixels: number[] = [];
       for (let i = 0; i < left.length; i++) {
-        if (left[i] !== right[i]) pixels.push(i % one.width, Math.floor(i / one.width));
+        const differs =
+          most === null ? left[i] !== right[i] : Math.abs(one.data[4 * i + 1]! - other.data[4 * i + 1]!) > most;
+        if (differs) pixels.push(i % one.width, Math.floor(i / one.width));
       }
       return { pixels, colours: new Set(left).size };
     },
-    [a, b] as const,
+    [a, b, most] as const,
   );
 }

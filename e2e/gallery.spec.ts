@@ -38,6 +38,8 @@ test('a newcomer sees all species, finds one, reads its page and grows it, by ke
   await page.keyboard.type('no such tree');
   await expect(page.getByText('No species is called so')).toBeVisible();
   await page.getByRole('button', { name: 'Show all species' }).click();
+  // The button that was pressed is gone; the focus is not.
+  await expect(page.getByRole('searchbox', { name: 'Find a species' })).toBeFocused();
   await page.getByRole('combobox', { name: 'Kind' }).selectOption('Broadleaf');
   await page.getByRole('combobox', { name: 'Season' }).selectOption('Autumn');
   await expect(card(page, /Black Tupelo/).locator('img')).toHaveAttribute('src', /black-tupelo-autumn\.webp$/);
@@ -61,9 +63,25 @@ test('a newcomer sees all species, finds one, reads its page and grows it, by ke
   await expect(page.getByRole('button', { name: 'Edit this tree' })).toBeFocused();
   await page.keyboard.press('Enter');
   await expect(page.getByRole('dialog')).toBeHidden();
+  await expect(page.locator('.picture canvas')).toBeFocused();
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('Saguaro');
   expect(await state(page)).toMatchObject({ species: 'saguaro-cactus', season: 'summer' });
   await expect(page).toHaveURL(/#s=saguaro-cactus/);
+});
+
+test('a link to the page of a species opens it without a complaint, and its portrait moves in each season', async ({
+  page,
+}) => {
+  const complaints: string[] = [];
+  page.on('pageerror', (error) => complaints.push(error.message));
+  await page.goto('./#gallery=dog-rose');
+  await expect(page.getByRole('heading', { name: 'Dog Rose', level: 3 })).toBeVisible();
+  const canvas = page.locator('wg-species canvas[data-live]');
+  await expect(canvas).toBeVisible({ timeout: 60_000 });
+  await page.getByRole('button', { name: 'Dog Rose in winter' }).click();
+  await expect(canvas).toHaveCount(0);
+  await expect(canvas).toBeVisible({ timeout: 60_000 });
+  expect(complaints).toEqual([]);
 });
 
 test('a portrait moves under the pointer, and the tree behind waits; closing leaves all as it was', async ({

@@ -74,3 +74,22 @@ test('photo mode leaves the picture and a shutter, and gives the page back', asy
   await expect(page.locator('.side.grow')).toBeVisible();
   expect(complaints).toEqual([]);
 });
+
+test('a low sun draws the shadow of a far trunk as one line, though it is less wide than a pixel is long', async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 1000, height: 640 });
+  const trunk = 's=scots-pine&seed=1&t=2&paused=1&levels=1&leaves=0&stage=golden';
+  await open(page, trunk);
+  await settled(page);
+  const [foot] = (await page.evaluate(() => window.windgrove!.onScreen())).branches;
+  const shown = await picture(page);
+  // Curves throw no shadow: what differs right of the trunk is its shadow.
+  await page.getByRole('radio', { name: 'Curves' }).check();
+  await settled(page);
+  const { pixels } = await difference(page, shown, await picture(page), 6);
+  const columns = new Set(pixels.filter((_, i) => i % 2 === 0));
+  const first = Math.ceil(foot!) + 20;
+  const gaps = Array.from({ length: 980 - first }, (_, i) => first + i).filter((x) => !columns.has(x));
+  expect(gaps).toEqual([]);
+});

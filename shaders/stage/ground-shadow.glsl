@@ -6,16 +6,18 @@ float groundShadow(SHADOW_MAP map, vec2 size, float intensity, float bias, float
   // At a flat angle a pixel covers a long strip of the ground: it is looked at in all of that, or a trunk's shadow, which is less wide, would be dashes.
   vec4 side = dFdx(coord);
   vec4 strip = dFdy(coord);
-  if (dot(side.xy, side.xy) > dot(strip.xy, strip.xy)) strip = side;
+  if (length(side.xy) > length(strip.xy)) strip = side;
   float texels = length(strip.xy * size);
   float rim = clamp(max(along * groundShade.z * groundShade.w, 0.2 * texels), radius, 9.0);
   float all = getShadow(map, size, intensity, bias, rim, coord);
   if (texels > 5.0) {
-    float ends = getShadow(map, size, intensity, bias, rim, coord + 0.33 * strip) + getShadow(map, size, intensity, bias, rim, coord - 0.33 * strip);
-    return (all + ends) / 3.0;
+    strip *= 0.33;
+    all += getShadow(map, size, intensity, bias, rim, coord + strip) + getShadow(map, size, intensity, bias, rim, coord - strip);
+    all /= 3.0;
+  } else if (rim > 2.0) {
+    // The five samples of a wide rim show: five more, between them.
+    all = 0.5 * (all + getShadow(map, size, intensity, bias, 0.55 * rim, coord));
   }
-  // The five samples of a wide rim show: five more, between them.
-  if (rim > 2.0) all = 0.5 * (all + getShadow(map, size, intensity, bias, 0.55 * rim, coord));
   return all;
 }
 #define getShadow groundShadow

@@ -27,6 +27,7 @@ import { loadPreferences, savePreferences } from './preferences.ts';
 import { sceneEvents } from './scene-events.ts';
 import { pageServices } from './services.ts';
 import { createSession } from './session.ts';
+import { followSkyInk } from './sky-ink.ts';
 import { loadIndex } from './species-source.ts';
 import { startWork } from './start-work.ts';
 import { createStudio, type Studio } from './studio/studio.ts';
@@ -145,7 +146,9 @@ export async function boot(host: HTMLElement, place: HTMLElement): Promise<void>
   place.replaceChildren(app);
   await app.updateComplete;
 
+  const inkFor = followSkyInk(document);
   followTheme(document, (dark) => {
+    inkFor(dark);
     picture.setDark(dark);
     loop.invalidate();
   });

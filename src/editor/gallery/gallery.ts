@@ -51,7 +51,7 @@ class Gallery extends Part {
     return html`<div class="gallery-all" ?hidden=${entry !== undefined}>${this.all()}</div>
       ${
         entry && this.live
-          ? html`<wg-species .editor=${this.editor} .entry=${entry} .season=${this.season} .live=${this.live}
+          ? html`<wg-species .editor=${this.editor} .entry=${entry} .season=${this.season} .live=${this.live} .moves=${this.live.shows(entry.id)}
               @turn=${this.turn} @season=${(e: CustomEvent<Season>) => this.setSeason(e.detail)}></wg-species>`
           : nothing
       }`;
@@ -109,7 +109,7 @@ class Gallery extends Part {
       ${
         found.length === 0
           ? html`<div class="gallery-none"><p>${words.none}</p><p class="soft">${words.noneHint}</p>
-            <button type="button" class="primary" @click=${() => this.set({ query: '', kind: null })}>${words.showAll}</button></div>`
+            <button type="button" class="primary" @click=${this.showAll}>${words.showAll}</button></div>`
           : html`<ul class="gallery-grid" aria-label=${words.list} @keydown=${byArrows} @focusin=${this.onFocus} @focusout=${this.rest}>${found.map(
               (entry) =>
                 speciesCard({
@@ -129,6 +129,13 @@ class Gallery extends Part {
     Object.assign(this, change);
     this.requestUpdate();
   }
+
+  /** The button that was pressed goes; one looks on where one looked for it. */
+  private readonly showAll = async (): Promise<void> => {
+    this.set({ query: '', kind: null });
+    await this.updateComplete;
+    this.querySelector<HTMLElement>('.gallery-search input')?.focus();
+  };
 
   private setSeason(season: Season): void {
     this.season = season;

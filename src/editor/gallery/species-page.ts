@@ -21,10 +21,13 @@ class SpeciesPage extends Part {
     entry: { attribute: false },
     season: { attribute: false },
     live: { attribute: false },
+    moves: { attribute: false },
   };
   declare entry: SpeciesEntry;
   declare season: Season;
   declare live: Live;
+  /** Its portrait is to move, or moves. */
+  declare moves: boolean;
   private species: Species | null = null;
   private failed: string | null = null;
   private opened = false;
@@ -55,14 +58,14 @@ class SpeciesPage extends Part {
   }
 
   protected override render(): TemplateResult {
-    const { entry, season, live, species } = this;
+    const { entry, season, moves, species } = this;
     const shown = differs(entry, season) ? season : 'summer';
     return html`<article class="species-sheet" @keydown=${this.onKey}>
       <nav class="species-turn">
         <button type="button" class="quiet" @click=${this.back}>${icon('undo')}<span>${words.back}</span></button>
         <span><button type="button" class="round" aria-label=${words.previous} title=${words.previous} @click=${() => this.turn(-1)}>${icon('up')}</button>
           <button type="button" class="round" aria-label=${words.next} title=${words.next} @click=${() => this.turn(1)}>${icon('down')}</button></span></nav>
-      <figure class="species-portrait"><div class="species-plate" role="img" aria-label=${words.portrait(entry.name)}>${portrait(entry, shown, 'eager', '560px')}${live.shows(entry.id) ? html`<canvas class="glimpse" aria-hidden="true"></canvas>` : nothing}</div>
+      <figure class="species-portrait"><div class="species-plate" role="img" aria-label=${words.portrait(entry.name)}>${portrait(entry, shown, 'eager', '560px')}${moves ? html`<canvas class="glimpse" aria-hidden="true"></canvas>` : nothing}</div>
         ${this.seasons(shown)}</figure>
       <div class="species-text"><h3>${entry.name}</h3><p class="species-latin"><i lang="la">${entry.latin}</i></p>
         <div class="species-deeds">

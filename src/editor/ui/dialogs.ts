@@ -141,7 +141,10 @@ class Dialogs extends Part {
     if (this.name) this.editor.actions.closeDialog();
     const { from } = this;
     this.from = null;
-    if (from?.isConnected && this.session.dialog === null) from.focus();
+    if (this.session.dialog !== null) return;
+    // A page that began with a dialog, or what opened it is gone: the picture is what one came for.
+    const back = from?.isConnected && from !== document.body ? from : this.editor.picture.canvas;
+    back.focus();
   };
 }
 

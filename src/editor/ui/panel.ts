@@ -1,4 +1,4 @@
-import { LitElement } from 'lit';
+import { LitElement, type PropertyValues } from 'lit';
 import type { LinkDocument } from '../../core/link/link.ts';
 import type { Editor } from '../editor.ts';
 import type { Session } from '../session.ts';
@@ -19,10 +19,17 @@ export abstract class Part extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    const again = (): void => this.requestUpdate();
-    this.stops = [this.editor.document.subscribe(again), this.editor.session.subscribe(again)];
     // What changed while it was out of the page, as a closed dialog's content is, it was not told of.
-    again();
+    this.requestUpdate();
+  }
+
+  /** It listens from its first drawing in the page on: an element whose class is loaded when it stands there already has its editor only then. */
+  protected override update(changes: PropertyValues): void {
+    if (this.isConnected && this.stops.length === 0) {
+      const again = (): void => this.requestUpdate();
+      this.stops = [this.editor.document.subscribe(again), this.editor.session.subscribe(again)];
+    }
+    super.update(changes);
   }
 
   override disconnectedCallback(): void {
