@@ -116,14 +116,12 @@ export class WindPass implements Poser {
     const { pose, revision } = source;
     const same = this.#seeded && time === this.#time && revision === this.#revision && pose === this.#mode;
     if (same && this.catchingUp === null) return;
-    let done = false;
     this.#state.begin(renderer);
     try {
-      done = this.#pose(renderer, time, source);
+      if (!this.#pose(renderer, time, source)) return;
     } finally {
       this.#state.end(renderer);
     }
-    if (!done) return;
     this.#time = time;
     this.#revision = source.revision;
     this.#mode = pose;

@@ -35,15 +35,9 @@ export class DegradedTree {
   #stems: DegradedStems[] = [];
   #leaves: DegradedLeaves | null = null;
   #made: PackedTree | null = null;
-  #r2 = 0;
 
   constructor(host: DegradedHost) {
     this.#host = host;
-  }
-
-  /** The calibrated range that the last frame was drawn for. */
-  get r2(): number {
-    return this.#r2;
   }
 
   /** Draws `tree` for a camera; `levels` are the uniforms of its levels. */
@@ -57,8 +51,8 @@ export class DegradedTree {
   ): void {
     this.#make(tree, species, levels, place.box);
     const { shown } = this.#host;
-    this.#r2 = paper.r2 ?? rangeFor(camera, place.matrixWorld, place.box, place.pictureHeight);
-    const rules = fractions(this.#r2, { ...paper, eased: true });
+    const r2 = paper.r2 ?? rangeFor(camera, place.matrixWorld, place.box, place.pictureHeight);
+    const rules = fractions(r2, { ...paper, eased: true });
     this.#stems.forEach((stems, level) => {
       if (level < shown.levels) stems.fit(rules[stems.item], species, place.pictureHeight / 2);
       else stems.hide();
@@ -89,8 +83,14 @@ export class DegradedTree {
     };
   }
 
-  get drawCalls(): number {
-    return this.objects().filter(({ visible }) => visible).length;
+  /** Triangles, draw calls and leaves of the last frame. */
+  stats(): { triangles: number; drawCalls: number; leaves: number } {
+    const { trunkTriangles, mainTriangles, otherTriangles, leafTriangles, leafPoints } = this.drawn();
+    return {
+      triangles: trunkTriangles + mainTriangles + otherTriangles + leafTriangles,
+      drawCalls: this.objects().filter(({ visible }) => visible).length,
+      leaves: leafPoints,
+    };
   }
 
   /** All that is drawn, or could be. */

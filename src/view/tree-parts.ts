@@ -166,7 +166,7 @@ export class TreeParts extends Object3D {
     this.#degraded?.leave();
     this.leaves.setTree(tree, species, light);
     if (this.#foliage !== this.leaves) this.#foliage.setTree(tree, species, light);
-    this.#applyMode();
+    this.applyMode();
   }
 
   /** Chooses what is drawn for this camera; three calls it while it looks for what is visible. */
@@ -193,15 +193,10 @@ export class TreeParts extends Object3D {
 
   /** Triangles, draw calls, pieces and leaves of the frame that was drawn last, shadows left out. */
   stats(): { triangles: number; drawCalls: number; pieces: number; leaves: number } {
-    const atRange = this.elementsDrawn;
+    const atRange = this.#atRange;
     if (atRange) {
-      const { trunkTriangles, mainTriangles, otherTriangles, leafTriangles, leafPoints } = atRange;
-      return {
-        triangles: trunkTriangles + mainTriangles + otherTriangles + leafTriangles,
-        drawCalls: this.#degraded?.drawCalls ?? 0,
-        pieces: this.#levels.slice(0, this.shown.levels).reduce((sum, { count }) => sum + count, 0),
-        leaves: leafPoints,
-      };
+      const pieces = this.#levels.slice(0, this.shown.levels).reduce((sum, { count }) => sum + count, 0);
+      return { ...atRange.stats(), pieces };
     }
     const drawn = this.#levels.filter(({ mesh }) => mesh.visible);
     const meshes = [...drawn.map(({ mesh }) => mesh), ...this.#foliage.meshes().filter(({ visible }) => visible)];
@@ -220,12 +215,12 @@ export class TreeParts extends Object3D {
 
   /** What the last frame drew by the paper's rules of degradation; null where it did not. */
   get elementsDrawn(): DrawnElements | null {
-    return this.shown.paper && this.shown.mode !== 'control' ? (this.#degraded?.drawn() ?? null) : null;
+    return this.#atRange?.drawn() ?? null;
   }
 
-  /** The calibrated range that the last frame was degraded for. */
-  get r2(): number {
-    return this.#degraded?.r2 ?? Number.NaN;
+  /** What draws by the paper's rules, where it does. */
+  get #atRange(): DegradedTree | null {
+    return this.shown.paper && this.shown.mode !== 'control' ? this.#degraded : null;
   }
 
   /** Draws by the paper's printed frames and sections, for teaching. */
@@ -258,12 +253,7 @@ export class TreeParts extends Object3D {
     const switched = (channel === null) !== (this.#channel === null);
     this.#channel = channel;
     if (switched) this.#dropAllMaterials();
-    this.#applyMode();
-  }
-
-  /** Takes `shown.mode` over into the materials. */
-  applyMode(): void {
-    this.#applyMode();
+    this.applyMode();
   }
 
   /** Frees everything; a tree that is set afterwards makes anew what it needs. */
@@ -446,7 +436,8 @@ export class TreeParts extends Object3D {
     lines.fit(this.#lines, levels > 0 ? (ends[levels - 1] as number) : 0, ends, this.#box as Box3);
   }
 
-  #applyMode(): void {
+  /** Takes `shown.mode` over into the materials. */
+  applyMode(): void {
     const { mode } = this.shown;
     this.#levels.forEach(({ sets, uniforms }, i) => {
       for (const set of Object.values(sets)) set.standard.wireframe = mode === 'wireframe';

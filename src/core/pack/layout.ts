@@ -102,10 +102,12 @@ export const MECHANICS = {
   PHASE: 6,
   /** What the bends of the stem's level are multiplied by. */
   FLEXIBILITY: 7,
+  /** What the damping ratio of a wind is multiplied by. */
+  DAMPING: 8,
 } as const;
 
 /** Numbers a piece in `PackedTree.mechanics`. */
-export const MECHANICS_SIZE = 8;
+export const MECHANICS_SIZE = 9;
 
 /** Numbers a texel. */
 export const TEXEL = 4;

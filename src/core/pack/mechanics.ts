@@ -45,6 +45,7 @@ export function packMechanics(tree: Tree, pieces: Pieces): Float32Array {
     out[at + MECHANICS.LEVEL] = pieces.level[i];
     out[at + MECHANICS.PHASE] = hashUnit(hashPcg(stems.path[s] ^ 0x73776179));
     out[at + MECHANICS.FLEXIBILITY] = byLevel(flexibility, pieces.level[i]);
+    out[at + MECHANICS.DAMPING] = species.wind.damping;
   }
   return out;
 }

@@ -216,4 +216,12 @@ export const WIND_PARAMETERS: readonly Parameter[] = [
     unit: 'kg/m²',
     default: 0.2,
   }),
+  number(
+    'wind',
+    'damping',
+    'Damping',
+    'Its damping over that of the wind: friction in the wood, drag of leaves.',
+    [0.1, 10, 0.05],
+    { ...OURS, default: 1 },
+  ),
 ];

@@ -240,4 +240,6 @@ export interface WindAnswer {
   readonly modulus: number;
   readonly density: number;
   readonly leafMass: number;
+  /** Damping ratio of its stems over that of the wind document, > 0: the inner friction of its wood, and the drag of what it bears. */
+  readonly damping: number;
 }

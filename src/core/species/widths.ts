@@ -56,6 +56,7 @@ export const WIDTHS: Readonly<Record<string, Width>> = {
   'wind.stiffness': { part: 0.1 },
   'wind.modulus': { part: 0.08 },
   'wind.leafMass': { part: 0.1 },
+  'wind.damping': { part: 0.1 },
 };
 
 /** How far colours differ at most, in OKLab: lightness, and each of the two axes. */

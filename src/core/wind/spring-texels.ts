@@ -35,9 +35,11 @@ export function springOmega(
   return within(given ? 2 * Math.PI * given : grown, OMEGA);
 }
 
-/** Damping ratio of a piece's stem in a wind. */
-export const springDamping = (tree: Pick<SpringTree, 'mechanics'>, piece: number, settings: SpringSettings): number =>
-  within(levelOf(tree, piece, settings)?.damping ?? settings.damping, DAMPING);
+/** Damping ratio of a piece's stem in a wind: that of the settings, times the tree's own; or what the settings say of its level, just so. */
+export function springDamping(tree: Pick<SpringTree, 'mechanics'>, piece: number, settings: SpringSettings): number {
+  const grown = settings.damping * tree.mechanics[MECHANICS_SIZE * piece + MECHANICS.DAMPING];
+  return within(levelOf(tree, piece, settings)?.damping ?? grown, DAMPING);
+}
 
 /** How far a stem whose tip is bent by 1 is aside at the part z of its length, in lengths: the integral of z^1.8, the bend's share. */
 const aside = (z: number): number => (z > 0 ? z ** 2.8 / 2.8 : 0);

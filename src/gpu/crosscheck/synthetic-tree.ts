@@ -117,6 +117,7 @@ function mechanicsOf(
     out[at + MECHANICS.LEVEL] = Math.min(depth, 3);
     out[at + MECHANICS.PHASE] = random();
     out[at + MECHANICS.FLEXIBILITY] = 1;
+    out[at + MECHANICS.DAMPING] = 1;
   }
   return out;
 }

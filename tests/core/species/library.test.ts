@@ -39,6 +39,17 @@ describe.each(entries)('$id', ({ id, file }) => {
     expect(species?.description.length).toBeGreaterThan(120);
   });
 
+  test('writes down its bark, its leaves and how it answers the wind, and leaves nothing of them to defaults', () => {
+    const told = JSON.parse(readFileSync(join(folder, file), 'utf8'));
+    expect(told.wind).toMatchObject({ modulus: expect.any(Number), density: expect.any(Number) });
+    expect(told.wind.stiffness.length).toBeGreaterThanOrEqual(Math.min(4, species!.tree.levels));
+    expect(told.bark).toMatchObject({ kind: species!.bark.kind, colour: species!.bark.colour });
+    expect(told.foliage).toMatchObject(species!.foliage.cover > 0 ? { colour: species!.foliage.colour } : { cover: 0 });
+    expect(told.levels.length).toBeGreaterThanOrEqual(Math.min(4, species!.tree.levels));
+    // The paper's four swing as they did before species had a damping of their own.
+    expect(told.wind.damping === undefined).toBe(names.some((name) => name === id));
+  });
+
   test('grows within the budget of a live picture', () => {
     if (names.some((name) => name === id)) return;
     const { stats } = growPacked(species!, 1);

@@ -24,7 +24,7 @@ export function bentTree(count: number, seed: number): BentTree {
     const length = 4.5 * 0.7 ** depth;
     const phase = (0.37 * chain[0]) % 1;
     mechanics.set(
-      [z0, z1, length, 0.02 * length, Math.min(12, 2 + depth + phase), level, phase, 1],
+      [z0, z1, length, 0.02 * length, Math.min(12, 2 + depth + phase), level, phase, 1, 1],
       MECHANICS_SIZE * i,
     );
   });

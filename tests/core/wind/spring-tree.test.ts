@@ -52,6 +52,9 @@ describe('texels', () => {
     expect(springOmega(tree, piece, own, 4)).toBeCloseTo(3 * Math.PI, 9);
     expect(springDamping(tree, piece, own)).toBe(0.7);
     expect(springDamping(tree, 0, own)).toBe(spring.damping);
+    const dull = { mechanics: tree.mechanics.map((x, i) => (i % MECHANICS_SIZE === MECHANICS.DAMPING ? 1.5 : x)) };
+    expect(springDamping(dull, 0, own)).toBeCloseTo(1.5 * spring.damping, 6);
+    expect(springDamping(dull, piece, own)).toBe(0.7);
     // Fewer entries than levels: the rest is as grown.
     expect(springOmega(tree, piece, { ...spring, levels: [{ frequency: 9, damping: null }] })).toBeCloseTo(grown, 5);
   });

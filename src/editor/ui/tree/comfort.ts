@@ -62,6 +62,7 @@ const COMFORT: Readonly<Record<string, Range>> = {
   'wind.modulus': { min: 0.5, max: 15 },
   'wind.density': { min: 300, max: 1200 },
   'wind.leafMass': { min: 0, max: 0.6 },
+  'wind.damping': { min: 0.2, max: 3 },
 };
 
 /** Ends that a slider takes to hold a value beyond them: a little further, so that it can go on. */

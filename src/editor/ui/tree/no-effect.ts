@@ -35,7 +35,7 @@ export type Why =
 const LEAF_ANGLES: readonly string[] = ['downAngle', 'downAngleV', 'rotate', 'rotateV'];
 const OF_SPLITS: readonly string[] = ['splitAngle', 'splitAngleV'];
 const OF_SEGMENTS: readonly string[] = ['segSplits', 'baseSplits', 'curve', 'curveBack', 'curveSideV', ...OF_SPLITS];
-const OF_SPRINGS: readonly string[] = ['modulus', 'density', 'leafMass'];
+const OF_SPRINGS: readonly string[] = ['modulus', 'density', 'leafMass', 'damping'];
 
 /** Whether stems of this level grow at all. */
 function grows(species: Species, level: number): boolean {
