@@ -1,6 +1,7 @@
 // Colour, normal and light of a clump, from its picture.
 #include /forest/card-read.glsl
 #include /forest/laid.glsl
+#include /forest/dither.glsl
 
 // To the right, up and to the eye, view space.
 flat in mat3 vCardFacing;
@@ -15,8 +16,17 @@ uniform float crownRounding;
 uniform vec3 cardThrough;
 uniform vec4 levelTint;
 
+// Depths in a picture between which leaves go from lit to sheltered by those before them, and what light reaches the deepest.
+const vec2 CARD_DEPTHS = vec2(0.36, 0.62);
+const float CARD_DEEPEST = 0.6;
+// Part of the alpha over which a texel is drawn in part: needles are thinner than texels.
+const float SOFT_EDGE = 0.7;
+
 vec4 cardColour() {
-  return textureLod(cardColours, cardPlace(), cardLod());
+  vec4 colour = textureLod(cardColours, cardPlace(), cardLod());
+  float deep = smoothstep(CARD_DEPTHS.x, CARD_DEPTHS.y, textureLod(cardShapes, cardPlace(), cardLod()).z);
+  colour.rgb *= mix(1.0, CARD_DEEPEST, deep);
+  return colour;
 }
 
 vec3 cardNormal() {

@@ -24,6 +24,7 @@ import type { TreeMesh } from '../tree-parts.ts';
 import type { ClumpPictures } from './card-bake.ts';
 import { CARD_DEPTH, CARD_STANDARD } from './card-shader.ts';
 import type { Foliage } from './grove-parts.ts';
+import { softenEdges } from './soft-edges.ts';
 
 /** How much larger than its clump a card is drawn: measured, so that as much is covered as by the leaves. */
 const GROWN = 1;
@@ -118,7 +119,7 @@ export class CardLayer implements Foliage {
   }
 
   #make(box: Box3): void {
-    this.#mesh ??= this.#host.newMesh('cards');
+    this.#mesh ??= this.#newMesh();
     const mesh = this.#mesh;
     const bundle = bundleFor(this.#count);
     if (mesh.geometry.userData.bundle !== bundle) {
@@ -130,6 +131,12 @@ export class CardLayer implements Foliage {
     this.#materials ??= this.#dressed();
     dress(mesh, this.#materials);
     this.#fitted = this.#count;
+  }
+
+  #newMesh(): TreeMesh {
+    const mesh = this.#host.newMesh('cards');
+    softenEdges(mesh);
+    return mesh;
   }
 
   #dressed(): MaterialSet {

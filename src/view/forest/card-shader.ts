@@ -1,6 +1,7 @@
 import fragment from '../../../shaders/forest/card-fragment.glsl';
 import read from '../../../shaders/forest/card-read.glsl';
 import vertex from '../../../shaders/forest/card-vertex.glsl';
+import softCut from '../../../shaders/forest/soft-cut.glsl';
 import crown from '../../../shaders/leaf/crown.glsl';
 import through from '../../../shaders/leaf/through.glsl';
 import { layoutGlsl } from '../../core/pack/layout-glsl.ts';
@@ -54,6 +55,7 @@ vCardCrown = vec4(normalize(mat3(modelViewMatrix) * crownNormal(here.position)),
       after:
         'vec4 clump = cardColour();\ndiffuseColor *= vec4(mix(laidColour(clump.rgb, vCardLaid), levelTint.rgb, levelTint.a), clump.a);',
     },
+    { anchor: '#include <alphatest_fragment>', instead: softCut },
     {
       anchor: '#include <normal_fragment_begin>',
       instead: 'vec3 normal = cardNormal();\nvec3 nonPerturbedNormal = normal;',
