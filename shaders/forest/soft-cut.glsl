@@ -3,5 +3,6 @@
 diffuseColor.a = 0.5 + (diffuseColor.a - alphaTest) / SOFT_EDGE;
 if (diffuseColor.a < 0.1) discard;
 #else
-if (diffuseColor.a + SOFT_EDGE * (ditherAt(gl_FragCoord.xy) - 0.5) < alphaTest) discard;
+// Not the noise by which classes share a tree: what fades would lose its densest texels, or its thinnest.
+if (diffuseColor.a + SOFT_EDGE * (ditherAt(gl_FragCoord.yx) - 0.5) < alphaTest) discard;
 #endif

@@ -42,6 +42,7 @@ export class DegradedLeaves {
   #pointSet: MaterialSet | null = null;
   #key = '';
   #trianglesEach = 0;
+  #widthOverLength = 1;
   #bundle = 1;
   /** Elements that the last frame drew. */
   triangles = 0;
@@ -63,6 +64,7 @@ export class DegradedLeaves {
     if (key === this.#key) return;
     this.#key = key;
     this.#bundle = bundleFor(tree.leafCount);
+    this.#widthOverLength = growthWidth(spec);
     const form = this.#host.kit.leafForm(spec);
     const grain = nearestGrain((g) => formTriangles(form, spec, g));
     const mesh = formMesh(form, spec, grain, this.#bundle, true);
@@ -86,7 +88,7 @@ export class DegradedLeaves {
     this.triangles = Math.round(polygons) * this.#trianglesEach;
     this.dots = Math.round(points);
     if (count === 0) return;
-    const [growX, growY] = leafGrowth(Math.max(polygons, points) / there, growthWidth(leafSpecOf(species)));
+    const [growX, growY] = leafGrowth(Math.max(polygons, points) / there, this.#widthOverLength);
     const length = tree.leafLength * species.foliage.size;
     this.#size.value.set(growX * length, growY * length);
     this.#part.value.x = polygons;

@@ -75,7 +75,8 @@ describe('mechanics', () => {
   });
 
   test('are those of the stem on each of its pieces', () => {
-    const tree = grow({ ...small, levels: small.levels.map((level) => ({ ...level, curveV: 150 })) }, 3);
+    const levels = small.levels.map((level) => ({ ...level, curveV: 150 }));
+    const tree = grow({ ...small, levels, wind: { ...small.wind, damping: 1.5 } }, 3);
     const pieces = fitPieces(tree);
     const mechanics = packMechanics(tree, pieces);
     const omega = stemFrequencies(tree);
@@ -86,6 +87,7 @@ describe('mechanics', () => {
       expect(at(i, 'OMEGA')).toBeCloseTo(omega[stem], 5);
       expect(at(i, 'LENGTH')).toBe(tree.stems.length[stem]);
       expect(at(i, 'FLEXIBILITY')).toBeCloseTo(1 / small.wind.stiffness[pieces.level[i]], 6);
+      expect(at(i, 'DAMPING')).toBe(1.5);
       const next = pieces.next[i];
       if (next < 0) continue;
       chained++;
