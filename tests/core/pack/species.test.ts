@@ -14,7 +14,7 @@ import { SHIPPED, shippedSpecies } from './shipped-species.ts';
 const HASHES = {
   'quaking-aspen': 'a67ad0c8',
   'black-tupelo': 'e4d0a95b',
-  'weeping-willow': 'b11f273a',
+  'weeping-willow': '468e6e55',
   'california-black-oak': 'd8892d5b',
 } as const;
 
