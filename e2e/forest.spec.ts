@@ -17,6 +17,11 @@ test('a link makes its forest, what is wrong with it or with a picture is said, 
   const alert = page.getByRole('alert');
   await expect(alert).toContainText('season: found “monsoon”; allowed: spring, summer, autumn, winter.');
   await page.getByRole('button', { name: 'Close the message' }).click();
+  // A forest without a name is none of the scenes.
+  const scenes = page.getByRole('region', { name: 'Scenes' }).getByRole('button');
+  await expect(scenes).toHaveCount(3);
+  for (const scene of await scenes.all()) await expect(scene).toHaveAttribute('aria-pressed', 'false');
+  expect(await page.evaluate(() => window.windgroveForest!.state().name)).toBe('Own forest');
   await page.getByText('Ground', { exact: true }).click();
   await page
     .locator('input[type=file]')

@@ -93,3 +93,23 @@ test('a low sun draws the shadow of a far trunk as one line, though it is less w
   const gaps = Array.from({ length: 980 - first }, (_, i) => first + i).filter((x) => !columns.has(x));
   expect(gaps).toEqual([]);
 });
+
+test('grass answers a gale more than a breeze: it is not pressed flat, where no gust would move it', async ({
+  page,
+}) => {
+  const moved = async (wind: string): Promise<number> => {
+    await open(
+      page,
+      `seed=3&t=20&paused=1&levels=1&leaves=0&handle=0&fronts=0&hour=8.6&wind=${wind}&cam=20,6,7,0,0.3,0`,
+    );
+    await settled(page);
+    const before = await picture(page);
+    await page.evaluate(() => window.windgrove!.seek(20.4));
+    await settled(page);
+    const { pixels } = await difference(page, before, await picture(page), 8);
+    return pixels.length / 2;
+  };
+  const breeze = await moved('breeze');
+  expect(breeze).toBeGreaterThan(1000);
+  expect(await moved('gale')).toBeGreaterThan(1.2 * breeze);
+});

@@ -40,11 +40,12 @@ vec3 grassPoint() {
   float ground = grassGround(root, fract(position.x * 71.3), grown);
   // Far blades are larger: they stand for the many that are not drawn.
   grown *= clamp(sqrt(reach / 6.0), 0.75, 1.6);
-  // Grass is soft: a breeze lays it over by a third, a gale flat. No two blades are as stiff.
+  // Grass is soft: a breeze lays it over by a third, a gale by two. Never flat: the next gust would find nothing to move. No two blades
+  // are as stiff.
   vec2 force = fieldForce(vec2(root.x, -root.y));
   float strength = length(force);
-  float lean = 1.0 - exp(-strength * mix(4.0, 9.0, normal.z));
-  vec2 way = force / max(strength, 1e-6);
+  float lean = strength / (strength + 0.8 - 0.5 * normal.z);
+  vec2 way = normalize(force + 1e-6);
   // Seen from near, as a fern is, blades and heads are as slender as they are.
   float slender = clamp(reach / 16.0, 0.4, 1.0);
   vec2 offset = normal.xy * (position.y > 0.0 ? 1.0 : slender);

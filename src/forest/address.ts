@@ -17,7 +17,8 @@ export function readAddress(
   if (link === '') return null;
   const scene = sources.scenes.find(({ id }) => link === id);
   if (scene) return { document: scene.document, notice: null };
-  const { document, faults, missing } = decodeForest(link, fallback, sources.known);
+  // A link without a name is none of the scenes, even where it leaves everything else to one.
+  const { document, faults, missing } = decodeForest(link, { ...fallback, name: words.own }, sources.known);
   const lines = faults
     .slice(0, LISTED)
     .map(({ key, found, allowed }) => words.fault(oneLine(key), oneLine(found, 60), allowed));

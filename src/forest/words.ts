@@ -18,6 +18,7 @@ export const words = {
   lacks: 'The pictures that you have put in are not in it: send them along.',
   notCopied: 'The browser did not allow copying; the address of this page is the link.',
   scenes: 'Scenes',
+  own: 'Own forest',
   now: 'Now',
   trees: 'Trees',
   ground: 'Ground',

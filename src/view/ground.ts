@@ -33,7 +33,8 @@ export const GROUND_INJECTION = {
       // Grass that the wind lays over shows its pale side: gusts run over a meadow as waves of light.
       after: `vGround = (modelMatrix * vec4(position, 1.0)).xyz;
 vHaze = farField(vGround - cameraPosition);
-vLaid = 1.0 - exp(-6.0 * length(fieldForce(vec2(vGround.x, -vGround.z))));`,
+vLaid = length(fieldForce(vec2(vGround.x, -vGround.z)));
+vLaid /= vLaid + 0.6;`,
     },
   ],
   fragment: [
@@ -41,7 +42,7 @@ vLaid = 1.0 - exp(-6.0 * length(fieldForce(vec2(vGround.x, -vGround.z))));`,
     { anchor: '#include <shadowmap_pars_fragment>', after: `${SHADOW_MAP}\n${groundShadow}\n${groundNormal}` },
     {
       anchor: '#include <map_fragment>',
-      after: 'diffuseColor.rgb *= groundDiffuse(); diffuseColor.rgb *= 1.0 + 0.22 * vLaid;',
+      after: 'diffuseColor.rgb *= groundDiffuse() * (1.0 + 0.5 * vLaid);',
     },
     { anchor: '#include <normal_fragment_begin>', after: 'normal = groundNormal(normal);' },
     { anchor: '#include <aomap_fragment>', after: 'reflectedLight.indirectDiffuse *= groundSky();' },

@@ -1,6 +1,4 @@
-import type { Rgb } from '../core/look/sky-model.ts';
-
-const RADIAN = Math.PI / 180;
+import { RADIAN, type Rgb } from '../core/look/sky-model.ts';
 
 /** The default camera's azimuth from +z, radians: the stages are lit for it. */
 export const CAMERA_AZIMUTH = 0.2;

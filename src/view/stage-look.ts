@@ -3,7 +3,9 @@ import { along, linearOf, mixRgb, type Rgb, rgb, screenOf, sunAt, sunTint, tintA
 import { placeInSky } from './sky-place.ts';
 import {
   CLEAR,
+  CLOUD_WHITE,
   GRASS_NIGHT,
+  GRASS_STALKS,
   GROUND_LIGHT,
   MOON_PLACE,
   MOON_RISES,
@@ -15,6 +17,7 @@ import {
   SKY_LIGHT,
   SKY_STRENGTH,
   STAGE_TABLE,
+  STALKS_LIT,
   STARS,
   type StageTable,
   SUN_STRENGTH,
@@ -63,9 +66,8 @@ export interface StageLook {
 /** Screen colour of what reflects `light`: near what tone mapping makes of it. */
 const screenOfLight = (light: Rgb): Rgb => screenOf(light.map((c) => 1 - Math.exp(-1.15 * c)) as unknown as Rgb);
 
-const scaled = ([r, g, b]: Rgb, s: number): Rgb => [r * s, g * s, b * s];
-const times = (a: Rgb, b: Rgb): Rgb => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
-const plus = (a: Rgb, b: Rgb): Rgb => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+const scaled = (a: Rgb, s: number): Rgb => a.map((c) => c * s) as unknown as Rgb;
+const times = (a: Rgb, b: Rgb): Rgb => a.map((c, k) => c * b[k]!) as unknown as Rgb;
 const luma = ([r, g, b]: Rgb): number => 0.3 * r + 0.59 * g + 0.11 * b;
 
 /** Forest in the distance. */
@@ -83,43 +85,38 @@ export function lookAt(stage: StageId, hour: number | null, dark: boolean): Stag
   const { overcast, mist } = table;
   const open = 1 - 0.94 * overcast;
 
-  const day = luma(tintAlong(CLEAR.horizon, elevation)) / luma(rgb(OVERCAST.horizon));
+  const far = tintAlong(CLEAR.horizon, elevation);
+  const day = luma(far) / luma(rgb(OVERCAST.horizon));
   const dim = Math.min(1, day);
   const shade = mixRgb(rgb(OVERCAST_NIGHT), [1, 1, 1], dim * dim);
   const greyed = (grey: string): Rgb => times(scaled(rgb(grey), dim), shade);
-  const under = (clear: Rgb, grey: string, part = 0.94): Rgb => mixRgb(clear, greyed(grey), part * overcast);
-  const zenith = under(tintAlong(CLEAR.zenith, elevation), OVERCAST.zenith);
-  const middle = under(tintAlong(CLEAR.middle, elevation), OVERCAST.middle);
-  const horizon = under(tintAlong(CLEAR.horizon, elevation), OVERCAST.horizon, 0.62);
-  const clearCloud = mixRgb(
-    tintAlong(CLEAR.horizon, elevation),
-    [1, 1, 1],
-    0.5 * Math.max(0, Math.min(1, elevation / 12)),
-  );
+  const under = (place: 'zenith' | 'middle' | 'horizon', part = 0.94): Rgb =>
+    mixRgb(tintAlong(CLEAR[place], elevation), greyed(OVERCAST[place]), part * overcast);
+  const clearCloud = mixRgb(far, [1, 1, 1], along(CLOUD_WHITE, elevation));
 
   const moon = elevation < MOON_RISES;
-  const glowDirection = placeInSky(Math.max(-2, elevation), sun.azimuth - table.heading);
-  const direction = moon ? placeInSky(...MOON_PLACE) : placeInSky(Math.max(1, elevation), sun.azimuth - table.heading);
+  const right = sun.azimuth - table.heading;
+  const glowDirection = placeInSky(Math.max(-2, elevation), right);
+  const direction = moon ? placeInSky(...MOON_PLACE) : placeInSky(Math.max(1, elevation), right);
   const light = moon ? linearOf(rgb(MOON_TINT)) : mixRgb(sunTint(elevation), [1, 0.97, 0.94], 0.2 + 0.5 * overcast);
   const strength = (moon ? along(MOON_STRENGTH, elevation) : along(SUN_STRENGTH, elevation)) * (1 - 0.86 * overcast);
   const skyLight = linearOf(mixRgb(tintAlong(SKY_LIGHT, elevation), times([0.93, 0.95, 0.97], shade), 0.8 * overcast));
   const skyIntensity = along(SKY_STRENGTH, elevation) * (1 - overcast) + (1.8 + 1.45 * dim * dim) * overcast;
 
   // What lies far away is lit as the ground is: sun by its height, and the whole sky.
-  const falls = plus(
-    scaled(light, strength * (0.25 + 0.75 * Math.max(0, direction[1]))),
-    scaled(skyLight, skyIntensity),
-  );
+  const direct = strength * (0.25 + 0.75 * Math.max(0, direction[1]));
+  const falls = light.map((c, k) => c * direct + skyLight[k]! * skyIntensity) as unknown as Rgb;
   const seen = (albedo: Rgb): Rgb => screenOfLight(scaled(times(linearOf(albedo), falls), 1 / Math.PI / 0.6));
-  const shown = (albedo: string): Rgb => times(rgb(albedo), mixRgb(rgb(GRASS_NIGHT), [1, 1, 1], dim));
-  const grassLight = shown(table.grassLight);
-  const grassDark = shown(table.grassDark);
+  const stalks = mixRgb([1, 1, 1], GRASS_STALKS, open * along(STALKS_LIT, elevation));
+  const shown = (albedo: string, day: Rgb): Rgb => times(rgb(albedo), mixRgb(rgb(GRASS_NIGHT), day, dim));
+  const grassLight = shown(table.grassLight, stalks);
+  const grassDark = shown(table.grassDark, stalks);
   const forest = seen(FOREST);
   const grass = seen(mixRgb(grassLight, grassDark, 0.45));
   return {
-    horizon,
-    middle,
-    zenith,
+    horizon: under('horizon', 0.62),
+    middle: under('middle'),
+    zenith: under('zenith'),
     glow: scaled(tintAlong(CLEAR.glow, elevation), (0.55 + mist) * open),
     disc: moon
       ? scaled([0.5, 0.53, 0.56], (open * along(MOON_STRENGTH, elevation)) / 2.4)
@@ -147,7 +144,7 @@ export function lookAt(stage: StageId, hour: number | null, dark: boolean): Stag
     exposure: 1,
     grassLight,
     grassDark,
-    earth: shown(table.earth),
+    earth: shown(table.earth, [1, 1, 1]),
     blades: table.blades,
     flowers: table.flowers,
     ground: table.ground,

@@ -1,5 +1,5 @@
 import type { StageId } from '../core/link/document.ts';
-import type { Curve } from '../core/look/sky-model.ts';
+import type { Curve, Rgb } from '../core/look/sky-model.ts';
 
 /** What a stage is, before the hour lights it. */
 export interface StageTable {
@@ -120,6 +120,11 @@ export const CLEAR: Readonly<Record<'zenith' | 'middle' | 'horizon' | 'glow', Cu
   ],
 };
 
+/** How much whiter than the horizon a thin cloud is. */
+export const CLOUD_WHITE: Curve<number> = [
+  [0, 0],
+  [12, 0.5],
+];
 /** The cloud's own grey under a closed sky by day: overhead, between, at the horizon. */
 export const OVERCAST = { zenith: '#a3aeb6', middle: '#c4ccd0', horizon: '#e2e5e3', cloud: '#e9ecec' } as const;
 
@@ -162,6 +167,17 @@ export const MOON_STRENGTH: Curve<number> = [
   [-1.9, 0],
 ];
 export const MOON_TINT = '#adb6f3';
+/**
+ * Dry stalks and seed heads stand above the leaves of a meadow: the flatter the sun's light, the more of it they catch. They turn it golden, where
+ * amber light on leaves alone is a loud yellow-green. What they make of the grass's colour, and how much of it by the sun's elevation.
+ */
+export const GRASS_STALKS: Rgb = [1.08, 0.97, 1.25];
+export const STALKS_LIT: Curve<number> = [
+  [-4, 0],
+  [0, 1],
+  [8, 1],
+  [32, 0],
+];
 /** Grass by night: colours fade, blue the least. */
 export const GRASS_NIGHT = '#90a0d0';
 /** What is left of a closed sky's grey when the sun has gone. */

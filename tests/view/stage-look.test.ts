@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { STAGES } from '../../src/core/link/document.ts';
-import { sunAt, sunTint } from '../../src/core/look/sky-model.ts';
+import { linearOf, type Rgb, rgb, screenOf, sunAt, sunTint } from '../../src/core/look/sky-model.ts';
 import { lookAt, type StageLook } from '../../src/view/stage-look.ts';
+import { STAGE_TABLE } from '../../src/view/stage-table.ts';
 
 /** Every number of a look but the directions, which turn to the moon's while nothing shines. */
 const numbers = (look: StageLook): number[] =>
@@ -60,6 +61,35 @@ describe.each(STAGES)('the look of %s', (stage) => {
         expect(part).toBeGreaterThanOrEqual(0);
         expect(part).toBeLessThanOrEqual(1);
       }
+    }
+  });
+});
+
+describe.each(['meadow', 'golden'] as const)('the grass of %s', (stage) => {
+  /** As the sun alone shows it: hue in degrees (30 orange, 60 yellow; beyond it is lime), saturation 0..1. */
+  const seen = (hour: number): { hue: number; saturation: number } => {
+    const { grassLight, sun } = lookAt(stage, hour, false);
+    const [r, g, b] = screenOf(linearOf(grassLight).map((c, k) => c * sun[k]!) as unknown as Rgb);
+    return { hue: (60 * (g - b)) / (r - b), saturation: 1 - b / Math.max(r, g) };
+  };
+
+  it('is golden while the sun is low, not lime, and no louder than that', () => {
+    for (let hour = 4.4; hour < 5.55; hour += 0.05) {
+      for (const { hue, saturation } of [seen(hour), seen(24 - hour)]) {
+        expect(hue).toBeGreaterThan(38);
+        expect(hue).toBeLessThan(53.5);
+        expect(saturation).toBeLessThan(0.64);
+      }
+    }
+  });
+
+  it('is as the table has it while the sun is high', () => {
+    for (const hour of [8.6, 12, 15]) {
+      const { grassLight, grassDark } = lookAt(stage, hour, false);
+      const kept = [...rgb(STAGE_TABLE[stage].grassLight), ...rgb(STAGE_TABLE[stage].grassDark)];
+      [...grassLight, ...grassDark].forEach((c, k) => {
+        expect(c).toBeCloseTo(kept[k]!, 6);
+      });
     }
   });
 });

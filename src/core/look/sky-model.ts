@@ -7,7 +7,7 @@ export interface SunPlace {
   readonly azimuth: number;
 }
 
-const RADIAN = Math.PI / 180;
+export const RADIAN = Math.PI / 180;
 
 /** A day in June in the middle latitudes: long enough for every light there is, with a night in it. */
 const LATITUDE = 47 * RADIAN;
@@ -20,7 +20,7 @@ export function sunAt(hour: number): SunPlace {
   const west = Math.sin(turn);
   const south = Math.cos(turn) * Math.sin(LATITUDE) - Math.tan(DECLINATION) * Math.cos(LATITUDE);
   return {
-    elevation: Math.asin(Math.min(1, Math.max(-1, up))) / RADIAN,
+    elevation: Math.asin(up) / RADIAN,
     azimuth: (180 + Math.atan2(west, south) / RADIAN) % 360,
   };
 }
@@ -31,7 +31,7 @@ const RAYLEIGH: Rgb = [0.05, 0.087, 0.18];
 /** Air that a ray at an elevation in degrees goes through, in heights of the atmosphere (Kasten and Young 1989). */
 const airMass = (elevation: number): number => {
   const e = Math.max(0, elevation);
-  return 1 / (Math.sin(e * RADIAN) + 0.50572 * Math.exp(-1.6364 * Math.log(e + 6.07995)));
+  return 1 / (Math.sin(e * RADIAN) + 0.50572 * (e + 6.07995) ** -1.6364);
 };
 
 /** What the air leaves of sunlight, linear, its largest part 1: white overhead, amber when it is low. */
@@ -44,20 +44,15 @@ export function sunTint(elevation: number): Rgb {
 /** Numbers that follow the sun's elevation: [degrees, value], upwards; between them on a straight line. */
 export type Curve<T> = readonly (readonly [number, T])[];
 
-export const mixRgb = (a: Rgb, b: Rgb, t: number): Rgb => [
-  a[0] + (b[0] - a[0]) * t,
-  a[1] + (b[1] - a[1]) * t,
-  a[2] + (b[2] - a[2]) * t,
-];
+export const mixRgb = (a: Rgb, b: Rgb, t: number): Rgb => a.map((c, k) => c + (b[k]! - c) * t) as unknown as Rgb;
 
 /** The two keys around an elevation, and how far it is from the one to the other. */
 function around<T>(curve: Curve<T>, elevation: number): [T, T, number] {
-  const next = curve.findIndex(([at]) => at >= elevation);
-  if (next === 0) return [curve[0]![1], curve[0]![1], 0];
-  if (next < 0) return [curve.at(-1)![1], curve.at(-1)![1], 0];
+  let next = 1;
+  while (next < curve.length - 1 && curve[next]![0] < elevation) next++;
   const [from, a] = curve[next - 1]!;
   const [to, b] = curve[next]!;
-  return [a, b, (elevation - from) / (to - from)];
+  return [a, b, Math.min(1, Math.max(0, (elevation - from) / (to - from)))];
 }
 
 export function along(curve: Curve<number>, elevation: number): number {
@@ -77,8 +72,8 @@ export function tintAlong(curve: Curve<string>, elevation: number): Rgb {
 }
 
 /** A colour of the screen (sRGB) as light, and back. */
-const toLinear = (c: number): number => (c <= 0.04045 ? c / 12.92 : Math.exp(2.4 * Math.log((c + 0.055) / 1.055)));
-const toScreen = (c: number): number => (c <= 0.0031308 ? c * 12.92 : 1.055 * Math.exp(Math.log(c) / 2.4) - 0.055);
+const toLinear = (c: number): number => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+const toScreen = (c: number): number => (c <= 0.0031308 ? c * 12.92 : 1.055 * c ** (1 / 2.4) - 0.055);
 
 export const linearOf = ([r, g, b]: Rgb): Rgb => [toLinear(r), toLinear(g), toLinear(b)];
 export const screenOf = ([r, g, b]: Rgb): Rgb => [toScreen(r), toScreen(g), toScreen(b)];
