@@ -38,6 +38,8 @@ float terrainInside() {
 // What several steps of the shading ask for is read once.
 vec3 terrainUp;
 vec2 terrainLight;
+// Part of the sky that woods outside take.
+float terrainWoods;
 
 vec3 readUp() {
   vec2 xy = texture(terrainNormals, terrainUv()).rg * 2.0 - 1.0;
@@ -54,9 +56,10 @@ vec2 readLight() {
 #ifdef TERRAIN_WITHIN
   return light;
 #else
-  // Outside nothing is known: open land with woods in it, as the skyline has.
+  // Outside nothing is known: open land with woods in it, as the skyline has. From near by they would be stains: no tree stands there.
   vec4 woods = texture(grassMap, vTerrain * 0.0017 + 0.31);
-  float wood = smoothstep(0.46, 0.6, woods.b) * 0.8;
+  float wood = smoothstep(0.46, 0.6, woods.b) * 0.8 * smoothstep(120.0, 480.0, distance(vGround, cameraPosition));
+  terrainWoods = wood * (1.0 - terrainInside());
   return mix(vec2(1.0 - 0.6 * wood, 1.0 - wood), light, terrainInside());
 #endif
 }
@@ -81,7 +84,7 @@ vec3 terrainDiffuse() {
   vec3 floor_ = terrainLitter * (0.55 + 0.9 * broad.r);
 #ifndef TERRAIN_WITHIN
   // Woods far outside are seen from above: crowns, not what lies under them.
-  floor_ = mix(grassDark * (0.35 + 0.3 * broad.r), floor_, terrainInside());
+  floor_ = mix(floor_, grassDark * (0.35 + 0.3 * broad.r), min(1.0, terrainWoods / max(under, 1e-3)));
 #endif
   return mix(c, floor_, 0.85 * litter);
 }
