@@ -38,16 +38,21 @@ const SLIGHT = 8;
  * The grid for a level of `pieces` pieces whose stems are `radius` pixels thick on screen.
  *
  * Triangles cost more than the deformer's arithmetic, so thin branches become ribbons of two columns, and where many thick
- * ones would take too many triangles they are drawn as if they were thinner. `slenderness`: how many radii long a piece is, where the relief
- * of its bark is to stand out; 0 where it is not.
+ * ones would take too many triangles they are drawn as if they were thinner. `slenderness`: how many radii long a piece is; `deep`: the relief
+ * of its bark is to stand out.
  */
-export function gridDetail(level: number, radius: number, pieces: number, detail: Detail, slenderness = 0): GridDetail {
-  const relief =
-    slenderness > 0 ? reliefGrid(radius * FACTOR[detail], slenderness, RELIEF_TRIANGLES[detail] / pieces) : null;
+export function gridDetail(
+  level: number,
+  radius: number,
+  pieces: number,
+  detail: Detail,
+  slenderness = 1e9,
+  deep?: boolean,
+): GridDetail {
+  const pixels = radius * FACTOR[detail];
+  const relief = deep && reliefGrid(pixels, slenderness, RELIEF_TRIANGLES[detail] / pieces);
   if (relief) return relief;
-  const grid = gridFor(level, radius * FACTOR[detail], pieces);
-  // Blades of grass are trunks as well: where there are too many for tubes even of the thinnest, they are ribbons too.
-  if (radius < 1e-3) return { ...grid, sectors: 1 };
+  const grid = gridFor(level, pixels, pieces, slenderness);
   if (grid.sectors === 1 || pieces * grid.sectors * grid.bands * 2 <= STEM_TRIANGLES[detail]) return grid;
   return gridDetail(level, radius / 2, pieces, detail);
 }
@@ -68,7 +73,7 @@ function reliefGrid(pixels: number, slenderness: number, triangles: number): Gri
   return null;
 }
 
-function gridFor(level: number, pixels: number, pieces: number): GridDetail {
+function gridFor(level: number, pixels: number, pieces: number, slenderness: number): GridDetail {
   // The flare of a trunk that is as thin as a branch is a pixel or two: bushes have many of those.
   const as = level === 0 && pixels < SLIGHT ? 1 : level;
   const bands = BANDS[Math.min(as, BANDS.length - 1)] as readonly [number, number];
@@ -77,9 +82,13 @@ function gridFor(level: number, pixels: number, pieces: number): GridDetail {
   const sectors = step ? step[1] : level === 0 && pieces < CANES ? 6 : 1;
   const banded = pixels >= 4 ? bands[0] : bands[1];
   if (sectors > 1 || pixels >= 1) return { sectors, bands: banded };
-  // A twig less than a pixel thick is some twenty pixels long, a branch twice that: few straight parts follow their curve.
-  return { sectors, bands: Math.min(banded, level > 1 || pixels < 0.2 ? 2 : 4) };
+  // A twig less than a pixel thick is some twenty pixels long, a branch twice that: few straight parts follow their curve; one a shorter piece's.
+  const parts = level > 1 || pixels < 0.2 ? 2 : 4;
+  return { sectors, bands: Math.min(banded, parts, 1 + Math.floor((pixels * slenderness) / STRAIGHT)) };
 }
+
+/** Length in pixels below which a thin piece is straight, and that of each of its parts beyond. */
+const STRAIGHT = 20;
 
 /** Pieces of trunks from which on they are the canes of a shrub. */
 const CANES = 16;

@@ -351,7 +351,7 @@ export class TreeParts extends Object3D {
     const { bark } = this.#species as Species;
     const deepAt = (radius: number): number => deepShare(index, bark, radius, radius / extent.radius);
     const gridAt = (radius: number): GridDetail =>
-      gridDetail(index, radius, count / this.treeCount, this.shown.detail, deepAt(radius) > 0 ? extent.slenderness : 0);
+      gridDetail(index, radius, count / this.treeCount, this.shown.detail, extent.slenderness, deepAt(radius) > 0);
     const deep = deepAt(pixels);
     const grid = gridAt(pixels);
     const [a] = uniforms.stemShape.value as [Vector4, Vector4];

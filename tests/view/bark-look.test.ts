@@ -34,10 +34,10 @@ test('what grows on bark is in the programs of old stems that have some, and thi
 });
 
 test('a relief has a grid of about square cells, and none finer than its triangles allow', () => {
-  const { sectors, bands } = gridDetail(0, 120, 2, 'auto', 10);
+  const { sectors, bands } = gridDetail(0, 120, 2, 'auto', 10, true);
   expect(sectors).toBeGreaterThan(gridDetail(0, 120, 2, 'auto').sectors);
   const square = (2 * Math.PI) / sectors / (10 / bands);
   expect(square).toBeGreaterThan(0.6);
   expect(square).toBeLessThan(1.6);
-  expect(gridDetail(0, 120, 5000, 'auto', 10)).toEqual(gridDetail(0, 120, 5000, 'auto'));
+  expect(gridDetail(0, 120, 5000, 'auto', 10, true)).toEqual(gridDetail(0, 120, 5000, 'auto'));
 });

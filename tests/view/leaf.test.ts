@@ -29,6 +29,10 @@ describe('leaf budget', () => {
   it('draws stems too thin to be seen bending as ribbons of two parts', () => {
     expect(gridDetail(2, 1.2, 1000, 'auto')).toEqual({ sectors: 1, bands: 4 });
     expect(gridDetail(2, 0.9, 1000, 'auto')).toEqual({ sectors: 1, bands: 2 });
+    // A piece of a dozen pixels is drawn straight.
+    expect(gridDetail(2, 0.4, 1000, 'auto', 30)).toEqual({ sectors: 1, bands: 1 });
+    expect(gridDetail(2, 0, 1000, 'auto', 30)).toEqual({ sectors: 1, bands: 1 });
+    expect(gridDetail(2, 0.4, 1000, 'auto', 60)).toEqual({ sectors: 1, bands: 2 });
   });
 
   it('draws leaves coarser the smaller they are, and the more there are', () => {
