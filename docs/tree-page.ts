@@ -36,6 +36,7 @@ export async function treeOnStage(
   const show = (time: number): void => {
     do tree.update(stage.renderer, time);
     while (tree.catchingUp !== null);
+    stage.blow(tree.windSource(), time);
     stage.render();
   };
   return { stage, show };
