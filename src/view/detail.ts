@@ -123,16 +123,10 @@ const leastLength = (grain: 'near' | 'middle', triangles: number, detail: Detail
   Math.sqrt(WORTH[grain] * triangles) / FACTOR[detail];
 
 /**
- * How finely `count` leaves are drawn whose blades are at most `length` pixels long on screen; `triangles` tells what a leaf of a grain takes.
+ * How finely `count` leaves are drawn whose blades are at most `length` pixels long on screen; `each`: triangles of one in the middle grain.
  * Those that are seen near by are drawn finer by themselves, see `nearDepth`.
  */
-export function leafGrain(
-  length: number,
-  count: number,
-  triangles: (grain: LeafGrain) => number,
-  detail: Detail,
-): Exclude<LeafGrain, 'near'> {
-  const each = triangles('middle');
+export function leafGrain(length: number, count: number, each: number, detail: Detail): Exclude<LeafGrain, 'near'> {
   return length >= leastLength('middle', each, detail) && each * count <= FOLIAGE_TRIANGLES[detail] ? 'middle' : 'far';
 }
 

@@ -201,7 +201,7 @@ export class LeafLayer {
     const most = Math.min(thing.count, shown.leafBudget * treeCount);
     const count = leavesDrawn(thing.count, thing.length * scale, most, shown.detail);
     const [growX, growY] = leafGrowth(count / thing.count, thing.widthOverLength);
-    const grain = leafGrain(thing.length * growY * scale, count / treeCount, (g) => thing.triangles[g], shown.detail);
+    const grain = leafGrain(thing.length * growY * scale, count / treeCount, thing.triangles.middle, shown.detail);
     const casting = leavesCasting(count, shown.detail);
     const bundle = bundleFor(count);
     this.#far ??= this.#draw('far');
@@ -272,7 +272,7 @@ export class LeafLayer {
     const { shown, pictureHeight, matrixWorld } = this.#host;
     const { elements } = camera.projectionMatrix;
     // Where there are too many to draw all of them as finely as they should be, those that are near begin farther away.
-    const fine = leafGrain(thing.length * growth * nearest, 0, (g) => thing.triangles[g], shown.detail);
+    const fine = leafGrain(thing.length * growth * nearest, 0, thing.triangles.middle, shown.detail);
     const farther = fine === this.#grain ? 1 : 2;
     const leaf = { length: farther * thing.length * growth, triangles: thing.triangles.near };
     // Mostly no leaf is near, and none is looked for.

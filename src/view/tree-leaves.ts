@@ -173,7 +173,8 @@ function organsOf(tree: PackedTree, { organ }: Species, kit: TreeKit): LeafLike 
   return {
     key: kind,
     mesh: (grain, bundle) => kit.organMesh(kind, grain, bundle),
-    triangles: byGrain((grain) => (kind === 'none' ? 0 : kit.organMesh(kind, grain, 1).trianglesPerCopy)),
+    // Blossoms stand in threes, and most of a body faces away: a third of its triangles share the pixels of its length.
+    triangles: byGrain((grain) => (kind === 'none' ? 0 : kit.organMesh(kind, grain, 1).trianglesPerCopy / 3)),
     count: organCount(tree.leafCount, organ),
     length: organ.size,
     widthOverLength: 1,

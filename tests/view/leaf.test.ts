@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { leafGrowth } from '../../src/core/look/leaf-growth.ts';
-import { type LeafGrain, leafTriangles } from '../../src/core/look/leaf-mesh.ts';
+import { leafTriangles } from '../../src/core/look/leaf-mesh.ts';
 import { gridDetail, leafGrain, leavesDrawn, nearDepth } from '../../src/view/detail.ts';
 
 describe('leaf budget', () => {
@@ -36,14 +36,13 @@ describe('leaf budget', () => {
   });
 
   it('draws leaves coarser the smaller they are, and the more there are', () => {
-    const cost = (grain: LeafGrain) => leafTriangles({ shape: 0, width: 1, petiole: 0.6 }, grain);
-    const each = cost('middle');
-    expect(leafGrain(100, Math.floor(200_000 / each), cost, 'auto')).toBe('middle');
-    expect(leafGrain(100, Math.ceil(200_000 / each) + 1, cost, 'auto')).toBe('far');
-    expect(leafGrain(Math.sqrt(32 * each) + 0.01, 1000, cost, 'auto')).toBe('middle');
-    expect(leafGrain(Math.sqrt(32 * each) - 0.01, 1000, cost, 'auto')).toBe('far');
-    expect(leafGrain(4, 1000, cost, 'auto')).toBe('far');
-    expect(leafGrain(4, 1000, cost, 'high')).toBe('middle');
+    const each = leafTriangles({ shape: 0, width: 1, petiole: 0.6 }, 'middle');
+    expect(leafGrain(100, Math.floor(200_000 / each), each, 'auto')).toBe('middle');
+    expect(leafGrain(100, Math.ceil(200_000 / each) + 1, each, 'auto')).toBe('far');
+    expect(leafGrain(Math.sqrt(32 * each) + 0.01, 1000, each, 'auto')).toBe('middle');
+    expect(leafGrain(Math.sqrt(32 * each) - 0.01, 1000, each, 'auto')).toBe('far');
+    expect(leafGrain(4, 1000, each, 'auto')).toBe('far');
+    expect(leafGrain(4, 1000, each, 'high')).toBe('middle');
   });
 
   it('draws those finest whose triangles cover some pixels', () => {
